@@ -7,7 +7,7 @@ STAMP = $(VENV)/.installed
 LLAMA ?= .venv-llama
 SAMPLE = "At night in the rain the ego follows a truck on a straight road at 50 km/h. After five seconds the truck brakes hard, and the ego has to brake as well."
 
-.PHONY: run test test-full nightly lint llama bench bench-check bench-dryrun bench-interpret bench-retrieval bench-through bench-fresh bench-ui clean
+.PHONY: run test test-full nightly lint llama bench bench-check bench-dryrun bench-interpret bench-retrieval bench-through bench-fresh bench-ui example pictures clean
 
 $(VENV)/bin/python:
 	$(PYTHON) -m venv $(VENV)
@@ -71,6 +71,18 @@ bench-fresh: $(STAMP)
 
 bench-ui: $(STAMP)
 	$(BIN)/python -m c2s_bench.ui
+
+# What the documents and the first start show, made anew by the app itself: the example session, the picture, the demo
+EXAMPLE = "Ego drives at 50 km/h in the right lane of a road with two lanes in its direction, in the rain. A van in the left lane, 15 m ahead, cuts in and brakes. Ego brakes."
+
+example: $(STAMP)
+	rm -rf build/example
+	XDG_DATA_HOME=build/example $(BIN)/c2s edit example --new --say $(EXAMPLE)
+	XDG_DATA_HOME=build/example $(BIN)/c2s sessions export example data/examples/session.json
+
+pictures: $(STAMP)
+	$(BIN)/python -m c2s_bench.ui.screenshot docs/app.svg
+	$(BIN)/python -m c2s_bench.ui.demo docs/demo.cast
 
 clean:
 	rm -rf $(VENV) $(LLAMA) build dist *.egg-info

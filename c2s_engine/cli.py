@@ -89,7 +89,7 @@ def main() -> None:
         sys.exit(130)
     except Exception as error:  # noqa: BLE001
         what = f"{type(error).__name__}: {error}"
-        err.print(f"c2s: an error that should not happen: {what}. Please report it.", markup=False, style="red")
+        err.print(f"c2s: internal error: {what}. Please report it.", markup=False, style="red")
         sys.exit(BAD_INPUT)
     finally:
         gc.freeze()  # the interpreter ends without looking through all that was imported, which takes 0.7 s

@@ -56,7 +56,7 @@ def load_settings(path: Path | None = None, model: str | None = None) -> Setting
         try:
             values = tomllib.loads(path.read_text(encoding="utf-8"))
         except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-            raise ConfigError(f"{path} cannot be read: {error}. Mend or remove the file.") from None
+            raise ConfigError(f"{path} cannot be read: {error}. Correct or remove the file.") from None
     if chosen := model or os.environ.get("C2S_MODEL"):
         values["model"] = chosen
     try:

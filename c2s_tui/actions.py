@@ -1,12 +1,14 @@
 """What the commands of the app do (a mixin of the workbench: a method `do_NAME` for each)."""
 
 from dataclasses import replace
+from difflib import get_close_matches
 from typing import Any
 
 from textual import work
 from textual.content import Content
 
 from c2s_engine.structure.edits import SetCode
+from c2s_tui.borders import Borders
 from c2s_tui.choices import Choices
 from c2s_tui.commands import commands
 from c2s_tui.desk import checked
@@ -17,15 +19,16 @@ from c2s_tui.results.actions import Results
 from c2s_tui.screens.dialogs import Choosable, Chooser, Reading
 from c2s_tui.search import Search
 from c2s_tui.start import Start
+from c2s_tui.turns import Turns
 
 
-class Actions(Layout, Start, Files, Past, Choices, Results, Search):
+class Actions(Turns, Layout, Borders, Start, Files, Past, Choices, Results, Search):
     """Commands that concern the panes and the session's turns; the other mixins hold the rest."""
 
     async def run_command(self: Any, name: str, argument: str = "") -> None:
         """Run a command by name; an unknown one is said in the chat."""
         if name not in commands():
-            near = [c for c in commands() if name and c.startswith(name[0])]
+            near = get_close_matches(name, commands(), 3, 0.5)
             more = f" Did you mean {', '.join('/' + n for n in near)}?" if near else ""
             await self.chat.note(f"There is no command /{name}.{more} /help lists them.", "error")
             return
@@ -130,7 +133,7 @@ class Actions(Layout, Start, Files, Past, Choices, Results, Search):
         if self.busy:
             self._waiting_edits = ()
             self.workers.cancel_group(self, "turn")
-            await self.chat.note("Cancelled; everything is as it was before.", "note")
+            await self.chat.note("Cancelled; nothing was changed.", "note")
 
     async def do_why(self: Any, argument: str) -> None:
         from c2s_tui.screens.why import why_screen
@@ -183,7 +186,7 @@ class Actions(Layout, Start, Files, Past, Choices, Results, Search):
         """All findings as a list; choosing one goes to its line."""
         found = [d for d in self.code.diagnostics if d.line]
         if not found:
-            self.app.notify("Nothing is known to be wrong with the code.", markup=False)
+            self.app.notify("The code has no findings.", markup=False)
             return
         entries = [
             Choosable(str(i), f"{d.severity:<8}line {d.line:<5}{d.component or '':<4}", d.message)
@@ -203,6 +206,14 @@ class Actions(Layout, Start, Files, Past, Choices, Results, Search):
         self.go_to("code")
         self.call_after_refresh(self.code.finder.open, argument)
 
+    async def do_fold(self: Any, argument: str) -> None:
+        """Fold components in the code, or unfold them."""
+        if argument and argument not in ("all", "none") and argument not in self.desk.structure:
+            await self.chat.note(f"There is no component {argument}; /fold all and /fold none fold every one.", "error")
+            return
+        self.go_to("code")
+        self.code.toggle_fold(argument)
+
     async def do_fix(self: Any, _: str) -> None:
         self.code.take_fix()
 
@@ -216,6 +227,9 @@ class Actions(Layout, Start, Files, Past, Choices, Results, Search):
             self.picture.add_class("-on")
             self.go_to("picture")
             self.call_after_refresh(self.picture.show, self.desk)
+        elif self.busy or not self.ready:
+            self.then = "picture"
+            self.app.notify("The picture opens as soon as there is a run.", markup=False)
         elif self.desk.program.text and await self._may_begin():
             self.run_again("picture", told=False)
         elif not self.desk.program.text:

@@ -4,14 +4,16 @@ import asyncio
 import os
 import signal
 import sys
+from collections.abc import Iterable
 from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 from textual import work
-from textual.app import App, ComposeResult
+from textual.app import App, ComposeResult, SystemCommand
 from textual.events import Key
+from textual.screen import Screen
 from textual.widgets import Static
 
 from c2s_tui import prefs as preferences
@@ -75,6 +77,10 @@ class C2SApp(App[None]):
         self.workbench = module.Workbench(self.backend, self.session_name, self.file)
         await self.push_screen(self.workbench)
 
+    def get_system_commands(self, screen: Screen) -> Iterable[SystemCommand]:
+        """None of Textual's own in the palette: quitting, themes and keys are commands of this app."""
+        return ()
+
     async def action_quit(self) -> None:
         """Leave; the workbench asks first where work would be lost. A second time it is meant."""
         if self.workbench is None or type(self.screen).__name__ == "Confirm":
@@ -102,7 +108,8 @@ class C2SApp(App[None]):
         try:
             preferences.save(self.prefs)
         except OSError as error:
-            self.notify(f"The choice holds for this run only: {error}", severity="warning", markup=False)
+            said = f"This setting cannot be saved; it lasts until you quit: {error}"
+            self.notify(said, severity="warning", markup=False)
 
     def copy_to_clipboard(self, text: str) -> None:
         """To the terminal's clipboard, through a multiplexer where there is one."""

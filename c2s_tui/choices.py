@@ -7,9 +7,9 @@ from textual import work
 from c2s_tui.screens.dialogs import Choosable, Chooser, Reading
 
 METHODS = [
-    Choosable("embedded", "embedded", "without a language model: nothing to install, the quickest"),
-    Choosable("typed", "typed", "a language model reads the text; the code is rendered from its fields"),
-    Choosable("mixed", "mixed", "as typed; what no field can say is written by the model as code"),
+    Choosable("embedded", "embedded", "no language model: nothing to install, fastest"),
+    Choosable("typed", "typed", "a language model fills in S; the code is written from its fields"),
+    Choosable("mixed", "mixed", "like typed; what no field can express, the model writes as code"),
     *(Choosable(f"chat2scenic:C{i}", f"C{i}", f"configuration {i} of Chat2Scenic: a language model writes the code")
       for i in range(1, 13)),
 ]  # fmt: skip
@@ -32,6 +32,23 @@ class Choices:
             Chooser("How programs are written", METHODS, self.choice.method),
             lambda value: self.choose(method=value) if value else None,
         )
+
+    async def do_vim(self: Any, _: str) -> None:
+        """Vim's keys in the code, on or off."""
+        on = not self.app.prefs.vim
+        self.app.remember(vim=on)
+        self.code.area.use_vim(on)
+        state = "on: Esc leaves insert mode, i enters it" if on else "off"
+        self.app.notify(f"Vim keys in the code are {state}.", markup=False)
+
+    async def do_mouse(self: Any, _: str) -> None:
+        """Leave the mouse to the terminal, so that text is selected and copied as anywhere else in it, or take it."""
+        driver, self.mouse_free = self.app._driver, not self.mouse_free
+        switch = getattr(driver, f"_{'disable' if self.mouse_free else 'enable'}_mouse_support", None)
+        if switch is not None:
+            switch()
+        free = "The mouse is the terminal's: select and copy as usual; /mouse takes it back."
+        self.app.notify(free if self.mouse_free else "The mouse works here again.", markup=False)
 
     async def do_theme(self: Any, argument: str) -> None:
         from c2s_tui.look.themes import names
@@ -59,7 +76,7 @@ class Choices:
     async def offer_maps(self: Any, argument: str) -> None:
         """The maps that are installed; `auto` leaves it to the text."""
         maps = list(await self.backend.ask("maps"))
-        entries = [Choosable("auto", "auto", "what the text names, else the default")]
+        entries = [Choosable("auto", "auto", "the one that the text names, else the default")]
         entries += [Choosable(m.name, m.name, str(getattr(m, "path", ""))) for m in maps]
         if argument:
             if argument not in {e.value for e in entries}:
@@ -95,7 +112,7 @@ class Choices:
             return
         entries = [Choosable(m["name"], m["name"], m.get("note", "")) for m in models]
         chosen = await self.app.push_screen_wait(
-            Chooser("Language model", entries, self.choice.model, free="narrow, or the name of a model to pull")
+            Chooser("Language model", entries, self.choice.model, free="type to filter, or the name of a model to pull")
         )
         if not chosen:
             return
@@ -134,7 +151,7 @@ class Choices:
             chosen(argument)
         else:
             entries = [Choosable(name, name, example.about) for name, example in gallery().items()]
-            foot = "Enter puts its text where you type; there, Enter sends it"
+            foot = "Enter copies its text into the chat line; a second Enter sends it"
             self.app.push_screen(Chooser("Examples", entries, foot=foot, wide=True), chosen)
 
     async def do_settings(self: Any, _: str) -> None:
@@ -148,11 +165,11 @@ class Choices:
         prefs = self.app.prefs
         entries = [
             Choosable("method", "method", self.choice.method),
-            Choosable("model", "model", self.choice.model or "none (only embedded works without)"),
+            Choosable("model", "model", self.choice.model or "none (only the method embedded works without one)"),
             Choosable("map", "map", self.choice.map or "auto"),
             Choosable("theme", "theme", self.app.theme),
-            Choosable("animation", "animation", "on" if prefs.animation else "off (slow lines)"),
-            Choosable("doctor", "doctor", "look over the installation"),
+            Choosable("animation", "animation", "on" if prefs.animation else "off (for slow connections)"),
+            Choosable("doctor", "doctor", "check the installation"),
         ]
         foot = f'Keys are remapped under [keys] in {prefs_file().name}, beside config.toml: "app.run" = "f6"'
         chosen = await self.app.push_screen_wait(Chooser("Settings", entries, foot=foot))
@@ -171,7 +188,7 @@ class Choices:
         """Show what the doctor finds."""
         from c2s_tui.findings import findings
 
-        self.working = self.working or "looking over the installation"
+        self.working = self.working or "checking the installation"
         self.show_status()
         try:
             lines = await findings(self.backend)

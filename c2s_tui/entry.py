@@ -27,7 +27,7 @@ def main() -> None:
         sys.exit(130)
     except Exception as error:  # what nobody foresaw is still one sentence, on the shell's screen
         terminal.leave()
-        print(f"c2s: an error that should not happen: {type(error).__name__}: {error}. Please report it.",
+        print(f"c2s: internal error: {type(error).__name__}: {error}. Please report it.",
               file=sys.stderr)  # fmt: skip
         sys.exit(2)
 

@@ -103,17 +103,17 @@ class Files:
         try:
             structure = await self.backend.ask("import_program", text)
         except (ValueError, OSError, RuntimeError) as error:
-            await self.chat.note(f"{path.name} could not be taken apart: {self._sentence(error)}", "error")
+            await self.chat.note(f"{path.name} could not be imported: {self._sentence(error)}", "error")
             return
         name, left = path.stem, self.session.name
         if self.desk.program.text or self.code.edited:
             taken = {s.name for s in await self.backend.thread.do(self.backend.sessions.list)}
             await self.enter(next(n for n in chain([name], (f"{name}-{i}" for i in count(2))) if n not in taken))
-            await self.chat.note(f"{path.name} is in a session of its own; /open {left} goes back.")
+            await self.chat.note(f"{path.name} was opened in a session of its own; /open {left} goes back.")
         self.file, self.file_seen = path, _stamp(path)
         self.saved_text = text
         if assemble(structure).text != text:
-            await self.chat.note(f"{path.name} is of Scenic 2: what you see is upgraded to Scenic 3.", "warning")
+            await self.chat.note(f"{path.name} is written in Scenic 2; you see it converted to Scenic 3.", "warning")
         await self.chat.note(f"Opened {path.name}.")
         await self.make_edits((Replace(structure=structure),))
 
@@ -129,7 +129,7 @@ class Files:
         """The program in $EDITOR; what comes back is a hand edit."""
         editor = os.environ.get("VISUAL") or os.environ.get("EDITOR")
         if not editor:
-            await self.chat.note("Set EDITOR (such as EDITOR=vim) to edit the program outside.", "error")
+            await self.chat.note("Set EDITOR (for example EDITOR=vim) to use your own editor.", "error")
             return
         text = self.code.text
         with tempfile.TemporaryDirectory() as folder:

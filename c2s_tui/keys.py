@@ -10,8 +10,10 @@ from c2s_tui.commands import commands
 
 ALWAYS = ("help", "results", "picture", "zoom", "quit")
 """Commands whose keys stand in the row wherever one is, with the words below."""
-SHORT = {"help": "help", "results": "results", "picture": "picture", "zoom": "zoom", "quit": "leave", "run": "run",
-         "fix": "take the fix", "finding": "next finding", "undo": "undo"}  # fmt: skip
+IN_CODE = ("run", "finding", "fix", "find")
+"""Commands whose keys stand there, too, while one is in the code."""
+SHORT = {"help": "help", "results": "results", "picture": "picture", "zoom": "zoom", "quit": "quit",
+         "run": "apply and run", "fix": "apply the fix", "finding": "next finding", "find": "find"}  # fmt: skip
 
 
 def own(widget: Any, keymap: dict[str, str]) -> list[tuple[str, Binding]]:
@@ -20,6 +22,8 @@ def own(widget: Any, keymap: dict[str, str]) -> list[tuple[str, Binding]]:
     for node in widget.ancestors_with_self if widget is not None else ():
         kept = [b for b in type(node).__dict__.get("BINDINGS", ()) if getattr(b, "id", None) and b.tooltip]
         found += [(keymap.get(b.id, b.key), b) for b in kept if not b.id.startswith("app.")]
+        if getattr(node, "KEYS_END", False):
+            break
     return found
 
 
@@ -57,6 +61,9 @@ def row(widget: Any, keymap: dict[str, str], width: int) -> Content:
     """The focused pane's keys, then those that hold everywhere, as far as there is room."""
     pane = [(named(key), b.description.lower()) for key, b in own(widget, keymap) if b.show and b.description]
     everywhere = [(named(keymap.get(c.id, c.key)), SHORT[c.name]) for c in commands().values() if c.name in ALWAYS]
+    here = {getattr(node, "HELP_NAME", "") for node in widget.ancestors_with_self} if widget is not None else set()
+    if "code" in here:
+        pane += [(named(keymap.get(c.id, c.key)), SHORT[c.name]) for c in commands().values() if c.name in IN_CODE]
     parts: list = []
     room = width - 2
     for key, words in (everywhere[0], *pane, *everywhere[1:], ("Ctrl+P", "all commands")):

@@ -12,7 +12,7 @@ COLUMNS = {"chat": "#chat", "sheet": "#sheet", "code": "#right", "picture": "#ri
 """The column that a pane stands in."""
 WIDTHS = {"#chat": 36, "#sheet": 46, "#right": 58}
 """Shares of the columns to begin with."""
-STEP, LEAST = 6, 12
+STEP, LEAST, MOST = 6, 12, 500
 
 
 class Layout:
@@ -87,14 +87,14 @@ class Layout:
         """Give the focused column more room, or less; the others share the rest. Kept for the next start."""
         column = COLUMNS[self._pane_of_focus() or self.current_pane]
         widths = self.widths()
-        widths[column] = min(160, max(LEAST, widths[column] + by))
+        widths[column] = min(MOST, max(LEAST, widths[column] + by))
         self.app.remember(widths=" ".join(str(w) for w in widths.values()))
         self.lay_columns()
 
     def widths(self: Any) -> dict[str, int]:
         """The share of each column, as the user left it."""
         kept = self.app.prefs.widths.split()
-        if len(kept) == len(WIDTHS) and all(w.isdigit() and LEAST <= int(w) <= 160 for w in kept):
+        if len(kept) == len(WIDTHS) and all(w.isdigit() and LEAST <= int(w) <= MOST for w in kept):
             return dict(zip(WIDTHS, map(int, kept), strict=True))
         return dict(WIDTHS)
 

@@ -35,7 +35,7 @@ class Past:
     async def offer_turns(self: Any) -> None:
         """The list of turns; choosing one goes to where it left S."""
         here = str(len(self.session.history) - 1)
-        foot = "Enter goes to where that turn left everything; the later ones can be brought back"
+        foot = "Enter returns to the state after that turn; later turns can be redone"
         chosen = await self.app.push_screen_wait(Chooser("Turns", turns(self.session), here, foot=foot, wide=True))
         if chosen is not None and chosen != here and await self._may_begin():
             self.turn(lambda: self.session.back_to(int(chosen)), "going back")
@@ -48,7 +48,7 @@ class Past:
         current = self.session.name if self.session else ""
         foot = "Enter opens; /rename NAME and /delete NAME in the chat"
         chosen = await self.app.push_screen_wait(
-            Chooser("Sessions", entries, current, free="narrow, or a new session's name", foot=foot, wide=True)
+            Chooser("Sessions", entries, current, free="type to filter, or a new session's name", foot=foot, wide=True)
         )
         if chosen:
             self.open_session(chosen)
@@ -69,7 +69,7 @@ class Past:
             return
         self.session.name = self.chat.border_subtitle = argument
         self.app.remember(session=argument)
-        await self.chat.note(f"The session {old} is called {argument} now.")
+        await self.chat.note(f"The session {old} is now called {argument}.")
 
     async def do_delete(self: Any, argument: str) -> None:
         if not await self._may_begin():

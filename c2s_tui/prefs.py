@@ -19,7 +19,9 @@ class Prefs:
     animation: bool = True
     welcomed: bool = False
     session: str = ""
+    graphics: str = "auto"  # how the picture is drawn: auto, kitty, sixel, blocks, text
     widths: str = ""  # shares of the three columns, such as "36 46 58"
+    vim: bool = False  # Vim's keys in the code
     keys: dict[str, str] = field(default_factory=dict)
     trouble: str = field(default="", repr=False)  # why the file could not be used; shown once
 
@@ -36,7 +38,7 @@ def load(path: Path | None = None) -> Prefs:
     except FileNotFoundError:
         return Prefs()
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        return Prefs(trouble=f"{path} cannot be read ({error}): the defaults are used. Mend or remove the file.")
+        return Prefs(trouble=f"{path} cannot be read ({error}): the defaults are used. Correct or remove the file.")
     known = {f.name: f for f in fields(Prefs) if f.name != "trouble"}
     prefs = Prefs()
     wrong = []
@@ -46,7 +48,7 @@ def load(path: Path | None = None) -> Prefs:
         else:
             setattr(prefs, name, value)
     if wrong:
-        prefs.trouble = f"{path}: {', '.join(wrong)} cannot be used; the defaults stand there"
+        prefs.trouble = f"{path}: {', '.join(wrong)} cannot be used; the defaults are used instead"
     return prefs
 
 

@@ -55,7 +55,7 @@ class Search:
             return
         self.offered |= {entry[:2] for entry in new}
         for cid, words, _ in new:
-            await self.chat.note(f"{cid or 'S'} has no field for “{words}”. Code that comes near:", "note")
+            await self.chat.note(f"{cid or 'S'} has no field for “{words}”. Similar code:", "note")
         await self.chat.found([passage for *_, passages in new for passage in passages])
 
     def _result(self: Any, number: str) -> Any:
@@ -65,7 +65,8 @@ class Search:
 
     async def _no_result(self: Any, command: str) -> None:
         count = len(self.chat.passages)
-        said = f"Say which: /{command} 1 to /{command} {count}." if count else "There is no result: /search first."
+        which = f"Give a number: /{command} 1 to /{command} {count}."
+        said = which if count else "There are no results: use /search first."
         await self.chat.note(said, "error")
 
     async def do_read(self: Any, argument: str) -> None:
@@ -99,7 +100,7 @@ class Search:
         fitting = [c.id for c in self.desk.structure.components if c.kind == chosen.component[:1]]
         if cid not in self.desk.structure:
             which = " or ".join(f"/use {number} {c}" for c in fitting) or "add an object first"
-            await self.chat.note(f"That is code of a component: say of which ({which}).", "error")
+            await self.chat.note(f"Code for a component: name the component ({which}).", "error")
         else:
             await self.make_edits((SetCode(component=cid, code=chosen.text.rstrip("\n") + "\n"),))
 

@@ -49,6 +49,9 @@ class Start:
         self.ready = True
         if self.file is not None and self.session is not None:
             await self.import_file(self.file)
+        if self.then and not self.busy:
+            then, self.then = self.then, ""
+            await self.run_command(then)
 
     async def welcome(self: Any) -> None:
         """The first run: the example session, explained in six lines; no model, no network."""
@@ -110,7 +113,7 @@ class Start:
         if code and code != session.program.text:
             self.code.area.text = code
             await self.chat.note(
-                "Hand edits that were not applied are in the code pane again: F5 applies them.", "warning"
+                "Your unapplied edits are back in the code pane: F5 applies them.", "warning"
             )
         self.recovered = True
         if session.pending is not None:
@@ -125,7 +128,7 @@ class Start:
         if self.code.edited:
             reasons.append("the code has hand edits that are not applied")
         if self.file is not None and self.saved_text is not None and self.code.text != self.saved_text:
-            reasons.append(f"{self.file.name} does not have the last changes")
+            reasons.append(f"{self.file.name} has unsaved changes")
         if not reasons:
             await self.leave()
             return

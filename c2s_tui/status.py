@@ -64,7 +64,7 @@ def line(desk: Desk, choice: Choice, working: str, width: int) -> Content:
     if verdicts:
         add(*verdicts)
     if desk.seconds and width >= 100:
-        add((_time(desk.seconds), "$muted"))
+        add((f"{desk.seconds:.1f} s", "$muted"))
     if desk.answer_tokens:
         add((f"{desk.prompt_tokens}+{desk.answer_tokens} tok", "$muted"))
     for hit in desk.collisions[:1]:
@@ -75,7 +75,3 @@ def line(desk: Desk, choice: Choice, working: str, width: int) -> Content:
     if working:
         add((f"{working} (Esc cancels)", "bold $text-accent"))
     return Content.assemble(*parts)
-
-
-def _time(seconds: float) -> str:
-    return f"{seconds * 1000:.0f} ms" if seconds < 10 else f"{seconds:.1f} s"

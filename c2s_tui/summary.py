@@ -3,6 +3,8 @@
 from c2s_engine.structure.requirements import failures, tally
 from c2s_tui.desk import Desk
 
+FAR = {"compile": "compiles", "sample": "samples", "run": "runs"}
+"""How far a program came, by the last stage that it passed."""
 MISSED = 6
 """Lines of what was not seen that a turn's closing line shows."""
 
@@ -28,8 +30,8 @@ def summary(desk: Desk) -> tuple[str, str]:
         if first and first.fix:
             parts.append(f"fix: {first.fix}")
     elif desk.stages:
-        last = desk.stages[-1].name
-        parts.append({"run": "runs", "sample": "samples", "compile": "compiles"}.get(last, f"{last} done"))
+        passed = [FAR[s.name] for s in desk.stages if s.name in FAR]
+        parts += passed[-1:]
     seen, required = tally(desk.results)
     if required:
         parts.append(f"{seen} of {required} requirements met")

@@ -20,7 +20,7 @@ async def take(target: Path) -> None:
 
     with TemporaryDirectory() as folder:
         backend = Backend(folder=Path(folder))
-        app = C2SApp(backend=backend, session="cyclist", prefs=Prefs(welcomed=True))
+        app = C2SApp(backend=backend, session="cyclist", prefs=Prefs(welcomed=True, graphics="blocks"))
         async with app.run_test(size=SIZE) as pilot:
             while app.workbench is None or not app.workbench.ready:
                 await pilot.pause(0.05)

@@ -19,17 +19,20 @@ TYPED = b"zqzq"
 
 
 @contextlib.contextmanager
-def running(folder: str) -> Iterator[tuple[int, int, float]]:
-    """The app in a pseudo-terminal: its process id, the terminal's other end, when it was started (s)."""
+def running(
+    folder: str, session: str = "bench", size: tuple[int, int] = SIZE, **more: str
+) -> Iterator[tuple[int, int, float]]:
+    """The app in a pseudo-terminal of (rows, columns), with more in its environment: its process id, the terminal's
+    other end, when it was started (s)."""
     environment = {
         **os.environ, "TERM": "xterm-256color", "XDG_CACHE_HOME": f"{folder}/cache", "XDG_DATA_HOME": f"{folder}/data",
-        "XDG_CONFIG_HOME": f"{folder}/config",
+        "XDG_CONFIG_HOME": f"{folder}/config", **more,
     }  # fmt: skip
     started = time.perf_counter()
     pid, end = pty.fork()
     if pid == 0:
-        fcntl.ioctl(0, termios.TIOCSWINSZ, struct.pack("HHHH", *SIZE, 0, 0))
-        os.execve(sys.executable, [sys.executable, "-m", "c2s_tui.entry", "app", "bench"], environment)
+        fcntl.ioctl(0, termios.TIOCSWINSZ, struct.pack("HHHH", *size, 0, 0))
+        os.execve(sys.executable, [sys.executable, "-m", "c2s_tui.entry", "app", session], environment)
     try:
         yield pid, end, started
     finally:
@@ -84,11 +87,11 @@ def _until(end: int, wanted: bytes, started: float) -> float:
     """When the terminal has been sent some bytes, s since the start of the process."""
     seen = b""
     while wanted not in seen and time.perf_counter() - started < 60:
-        seen += _read(end, 1.0)
+        seen += read(end, 1.0)
     return time.perf_counter() - started
 
 
-def _read(end: int, seconds: float) -> bytes:
+def read(end: int, seconds: float) -> bytes:
     if not select.select([end], [], [], seconds)[0]:
         return b""
     try:
@@ -100,5 +103,5 @@ def _read(end: int, seconds: float) -> bytes:
 def _drain(end: int, seconds: float) -> None:
     until = time.monotonic() + seconds
     while (left := until - time.monotonic()) > 0:
-        if not _read(end, left) and left > 0.05:
+        if not read(end, left) and left > 0.05:
             time.sleep(min(0.05, left))

@@ -19,10 +19,10 @@ from c2s_engine.structure.measures import Measures
 from c2s_engine.structure.requirements import Requirement, Result
 
 File = Annotated[Path, typer.Argument(help="A .scenic file.")]
-Seed = Annotated[int, typer.Option(help="Of the sampled scene.")]
-Trust = Annotated[bool, typer.Option("--trust", help="Your own file: skip the safety stage.")]
-OnMap = Annotated[str | None, typer.Option("--map", help="Place it on that map, whatever it names.")]
-Model = Annotated[str | None, typer.Option("--model", help="Use that world model, whatever it names.")]
+Seed = Annotated[int, typer.Option(help="The seed of the sampled scene.")]
+Trust = Annotated[bool, typer.Option("--trust", help="Trust the file: skip the safety stage.")]
+OnMap = Annotated[str | None, typer.Option("--map", help="Use this map instead of the one that the program names.")]
+Model = Annotated[str | None, typer.Option("--model", help="Use this world model, not the one that the program names.")]
 Modular = Annotated[str | None, typer.Option("--scenario", help="Of several modular scenarios, the one to run.")]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object.")]
 

@@ -45,7 +45,7 @@ def sentence(error: Exception) -> tuple[str, int] | None:
     """What is said of an error that may happen, and its exit code; None for those that nobody foresaw."""
     if isinstance(error, PermissionError):
         return (
-            f"There is no permission for {error.filename}: choose another place, or change its permissions.",
+            f"Permission denied for {error.filename}: choose another place, or change its permissions.",
             NO_SERVICE,
         )
     if isinstance(error, OSError):

@@ -31,12 +31,12 @@ def generate(
     strict: Annotated[
         bool, typer.Option("--strict", help="Refuse a place that the map lacks; leave no field of it open.")
     ] = False,
-    seed: Annotated[int, typer.Option(help="Of the sampled scene.")] = 0,
+    seed: Annotated[int, typer.Option(help="The seed of the sampled scene.")] = 0,
     runs: Annotated[int, typer.Option(min=1, max=50, help="Rollouts of the dry run.")] = 1,
-    method: Annotated[str | None, typer.Option(help="How it is written; see `c2s doctor` for what is there.")] = None,
+    method: Annotated[str | None, typer.Option(help="The method; `c2s doctor` shows which are available.")] = None,
     model: Annotated[str | None, typer.Option(help="The Ollama model, for methods that use one.")] = None,
     improve: Annotated[
-        bool | None, typer.Option("--improve/--no-improve", help="Let the model change what the run does not show.")
+        bool | None, typer.Option("--improve/--no-improve", help="Let the model correct what the run did not show.")
     ] = None,
     widen: Annotated[
         bool, typer.Option("--widen", help="Vary what is left open as far as 90 % of the scenes still hold.")

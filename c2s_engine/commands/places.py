@@ -54,7 +54,7 @@ async def _counted_or_why(engine: Any, name: str) -> dict[str, Any]:
         return {"name": name, "path": "", "carla_map": None, "places": {}, "error": str(error)}
 
 
-def glossary(word: Annotated[str | None, typer.Argument(help="One word; none: all.")] = None) -> None:
+def glossary(word: Annotated[str | None, typer.Argument(help="A term; without one, all of them.")] = None) -> None:
     """Say what the words of the app and the documents mean."""
     from c2s_engine.session.glossary import meaning, terms
 

@@ -25,7 +25,7 @@ def report(
     output: Annotated[Path, typer.Option("--output", "-o", help="The folder to write to.")] = Path("report"),
     form: Annotated[str, typer.Option("--format", help="md, html or json.")] = "md",
     method: Annotated[str | None, typer.Option(help="RECORDS: how texts are turned into programs.")] = None,
-    seed: Annotated[int, typer.Option(help="Of the sampled scene.")] = 0,
+    seed: Annotated[int, typer.Option(help="The seed of the sampled scene.")] = 0,
     drivers: Annotated[
         bool, typer.Option("--drivers", help="RECORDS: run it with two other drivers in ego's place, too.")
     ] = False,

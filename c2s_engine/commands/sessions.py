@@ -31,31 +31,31 @@ def edit(
         str | None, typer.Option("--say", help="A turn of the chat: a scenario, a change, a question.")
     ] = None,
     program: Annotated[
-        Path | None, typer.Option("--program", metavar="FILE", help="Take a Scenic program as the session's S first.")
+        Path | None, typer.Option("--program", metavar="FILE", help="Import a Scenic program into the session first.")
     ] = None,
     fields: Annotated[
         list[str] | None, typer.Option("--set", metavar="ID.FIELD=VALUE", help="Such as O1.speed=10 (may be repeated).")
     ] = None,
     remove: Annotated[list[str] | None, typer.Option("--remove", metavar="ID", help="Remove an object.")] = None,
     code: Annotated[
-        list[str] | None, typer.Option("--code", metavar="ID=FILE", help="A fragment by hand; `ID=` gives it back.")
+        list[str] | None, typer.Option("--code", metavar="ID=FILE", help="Your code for it; `ID=`: written again.")
     ] = None,
-    undo: Annotated[bool, typer.Option("--undo", help="Go back to before the last turn.")] = False,
-    redo: Annotated[bool, typer.Option("--redo", help="Bring back what was undone.")] = False,
+    undo: Annotated[bool, typer.Option("--undo", help="Undo the last turn.")] = False,
+    redo: Annotated[bool, typer.Option("--redo", help="Redo what was undone.")] = False,
     to: Annotated[
-        int | None, typer.Option("--to", metavar="N", help="Go to where turn N left it (0: before the first).")
+        int | None, typer.Option("--to", metavar="N", help="Return to the state after turn N (0: before the first).")
     ] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Run the turn that a crash interrupted.")] = False,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Save the program there, map and library beside it.")
     ] = None,
     standalone: Annotated[bool, typer.Option("--standalone", help="One file: with the driving library in it.")] = False,
-    method: Annotated[str | None, typer.Option(help="How it is written.")] = None,
+    method: Annotated[str | None, typer.Option(help="The method.")] = None,
     model: Annotated[str | None, typer.Option(help="The Ollama model, for methods that use one.")] = None,
     improve: Annotated[
-        bool | None, typer.Option("--improve/--no-improve", help="Let the model change what the run does not show.")
+        bool | None, typer.Option("--improve/--no-improve", help="Let the model correct what the run did not show.")
     ] = None,
-    seed: Annotated[int, typer.Option(help="Of the sampled scene.")] = 0,
+    seed: Annotated[int, typer.Option(help="The seed of the sampled scene.")] = 0,
     no_run: Annotated[bool, typer.Option("--no-run", help="Compile and sample, but do not run it.")] = False,
     seeds: Annotated[str | None, typer.Option(help="Then run it once with each of N seeds: 20, or 5-9.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,

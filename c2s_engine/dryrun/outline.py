@@ -1,7 +1,10 @@
 """The road around a run as plain polygons, for the pictures. In the check process only (it needs the network)."""
 
+import math
+from collections.abc import Iterator
 from typing import Any
 
+import numpy as np
 import shapely
 
 from c2s_engine.dryrun.recording import Recording
@@ -11,6 +14,8 @@ Ring = tuple[tuple[float, float], ...]
 Box = tuple[float, float, float, float]
 MARGIN = 30.0
 """m around the actors that are shown."""
+ARROW_EVERY, ARROW_LONG, ARROW_WIDE = 25.0, 3.0, 1.2
+"""m between the arrows of a lane, and their size."""
 
 
 def box_of(recording: Recording) -> Box:
@@ -21,7 +26,7 @@ def box_of(recording: Recording) -> Box:
 
 
 def map_outline(network: Any, box: Box, extras: MapExtras | None = None) -> dict[str, tuple[Ring, ...]]:
-    """Outlines by kind (sidewalk, shoulder, lane, junction, crosswalk) within a box; m, in drawing order."""
+    """Outlines by kind (sidewalk, shoulder, junction, lane, crosswalk, arrow) within a box; m, in drawing order."""
     area = shapely.box(*box)
     crosswalks = [shapely.Polygon(c.polygon) for c in extras.crosswalks] if extras else []
     kinds: dict[str, list[Any]] = {
@@ -31,7 +36,23 @@ def map_outline(network: Any, box: Box, extras: MapExtras | None = None) -> dict
         "lane": [lane.polygon for road in network.roads for lane in road.lanes],
         "crosswalk": crosswalks,
     }
-    return {kind: tuple(_rings(shapes, area)) for kind, shapes in kinds.items() if shapes}
+    outlines = {kind: tuple(_rings(shapes, area)) for kind, shapes in kinds.items() if shapes}
+    lanes = [lane.centerline.lineString for road in network.roads for lane in road.lanes]
+    return {**outlines, "arrow": tuple(_arrows(lanes, area))}
+
+
+def _arrows(lines: list[Any], area: Any) -> Iterator[Ring]:
+    """Small triangles along the lanes that point where one drives: tip first."""
+    for line in lines:
+        if not line.intersects(area):
+            continue
+        for along in np.arange(ARROW_EVERY / 2, line.length, ARROW_EVERY):
+            (x, y), (tip_x, tip_y) = (line.interpolate(a).coords[0][:2] for a in (along, along + ARROW_LONG))
+            long = math.hypot(tip_x - x, tip_y - y)
+            if long > 0 and area.contains(shapely.Point(x, y)):
+                aside = (tip_y - y) / long * ARROW_WIDE / 2, (x - tip_x) / long * ARROW_WIDE / 2
+                ring = (tip_x, tip_y), (x + aside[0], y + aside[1]), (x - aside[0], y - aside[1])
+                yield tuple((round(a, 2), round(b, 2)) for a, b in ring)
 
 
 def _rings(shapes: list[Any], area: Any) -> list[Ring]:

@@ -11,7 +11,8 @@ from xml.sax.saxutils import escape
 from c2s_engine.structure.facts import Track, Trajectories
 
 Point = tuple[float, float]
-FILLS = {"sidewalk": "#d9d4c7", "shoulder": "#b9bdb4", "junction": "#8f949b", "lane": "#9aa0a6", "crosswalk": "#eceff1"}
+FILLS = {"sidewalk": "#d9d4c7", "shoulder": "#b9bdb4", "junction": "#8f949b", "lane": "#9aa0a6", "crosswalk": "#eceff1",
+         "arrow": "#c3c7cc"}  # fmt: skip
 COLOURS = ("#d62728", "#1f77b4", "#2ca02c", "#9467bd", "#ff7f0e", "#8c564b", "#e377c2", "#17becf")
 PROP = "#6b5b45"
 GROUND = "#eef1ea"
@@ -187,8 +188,8 @@ def _text(ways: Trajectories, frame: int, columns: int, rows: int) -> Iterator[t
         shape = corners(track, frame)
         _fill(grid, tuple(shape), letter, left, top, cell)
         _put(grid, track.x[frame], track.y[frame], letter, left, top, cell)
-    for i, line in enumerate(grid):
-        yield "".join(line).rstrip(), i
+    for i, row in enumerate(grid):
+        yield "".join(row).rstrip(), i
     for line in legend:
         yield line, -1
 

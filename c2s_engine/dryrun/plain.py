@@ -166,7 +166,8 @@ def _distance(a: Any, b: Any) -> Any:
 
 
 def _rotated(a: Any, angle: Any) -> Any:
-    if angle.__class__ not in NUMBERS:
+    kind = angle.__class__
+    if kind not in NUMBERS:
         return NotImplemented
     x, y, z = a.coordinates
     c, s = math.cos(angle), math.sin(angle)

@@ -92,7 +92,8 @@ class Streets(carla.Map):
     def signs_ahead(self, place: Place, distance: float) -> list[Sign]:
         """Lights and signs that face who drives on from a place, to where the next junction begins."""
         found: list[Sign] = []
-        lane, gone = place.lane, -place.s
+        lane: int | None = place.lane
+        gone = -place.s
         while lane is not None and gone < distance:
             info = self.index.lanes[lane]
             junctions = {self.index.lanes[n].junction for n in info.next} - {None}

@@ -2,7 +2,7 @@
 
 import math
 import random
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -29,8 +29,8 @@ class Pilot:
     ignore_vehicles: float = 0.0
     gap: float = 2.5
     route: list[Any] | None = None
-    line: np.ndarray | None = None
-    along: np.ndarray | None = None
+    line: np.ndarray = field(default_factory=lambda: np.empty((0, 2)))  # m; empty: no way is planned yet
+    along: np.ndarray = field(default_factory=lambda: np.empty(0))
     lanes: tuple[int, ...] = ()
 
 
@@ -108,7 +108,7 @@ class TrafficManager:
     def drive(self, actor: Any, dt: float) -> None:
         """Set the pedals and the wheel of a vehicle on autopilot for one step."""
         body, pilot = actor.body, self._of(actor)
-        if pilot.line is None or self._near_end(pilot, body):
+        if not pilot.line.size or self._near_end(pilot, body):
             lane = self.index.lane_at(body.x, body.y, body.heading)
             if lane is None:
                 body.throttle, body.brake = 0.0, 1.0

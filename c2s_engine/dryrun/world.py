@@ -231,15 +231,17 @@ class DryRunSimulation(DrivingSimulation):
             if getattr(actor, "autopilot", False) and not actor.body.dead:
                 self.tm.drive(actor, self.timestep)
             fastest = max(fastest, abs(actor.body.speed) + abs(actor.body.sideways))
-        close = self.contacts.near(2.0 * (fastest + 1.0) * self.timestep)
+        contacts = self.contacts
+        assert contacts is not None  # made by setup
+        close = contacts.near(2.0 * (fastest + 1.0) * self.timestep)
         moving = [a for a in actors if not isinstance(a, fake.Prop)]
         for i in range(self.substeps):
             for actor in moving:
                 actor.advance(dt)
             if close:
-                self.contacts.check(close, now + (i + 1) * dt)
-        if self.contacts.found and self.crashed is None:
-            self.crashed = self.contacts.found[0][0]
+                contacts.check(close, now + (i + 1) * dt)
+        if contacts.found and self.crashed is None:
+            self.crashed = contacts.found[0][0]
         self.lights.tick(self.timestep)
         self.recorder.sample(actors, self.currentTime + 1)
         self.recorder.note_lights(now + self.timestep, self.lights.states())

@@ -6,6 +6,7 @@ import threading
 from collections.abc import Callable, Sequence
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -25,7 +26,7 @@ class Embedder:
         self.folder = Path(model).expanduser() if model else _shipped_model()
         self.source = str(self.folder) if self.folder.is_dir() else str(model)
         self.threads = threads
-        self._model = None
+        self._model: Any = None
         self._lock = threading.Lock()
 
     @property

@@ -4,73 +4,45 @@ import re
 
 from c2s_engine.retrieve.blocks import NUMBERED, Block, BlockKind
 
-_HEADING = re.compile(r"^(#{1,6})\s+(.*?)\s*#*$")
-_FENCE = re.compile(r"^\s*(```|~~~)")
 _ITEM = re.compile(r"^\s*(?:[-*+•]|\d+[.)]|\([a-z0-9]{1,3}\))\s+")
-_UNDERLINE = re.compile(r"^(=+|-+)\s*$")
 
 
 def read_markdown(text: str) -> list[Block]:
-    """Headings, fenced code, tables, lists and paragraphs of a Markdown text (front matter is skipped)."""
+    """Headings, code, tables, lists and paragraphs of a Markdown text (front matter is skipped)."""
+    from markdown_it import MarkdownIt
+
     lines = text.splitlines()
     if lines and lines[0].strip() == "---":
         end = next((i for i, line in enumerate(lines[1:], 1) if line.strip() == "---"), 0)
         lines = lines[end + 1 :] if end else lines
     blocks: list[Block] = []
-    gathered: list[str] = []
-    kind: BlockKind = "paragraph"
-
-    def flush() -> None:
-        nonlocal gathered, kind
-        if any(line.strip() for line in gathered):
-            joint = " " if kind == "paragraph" else "\n"
-            pieces = (
-                gathered if kind == "code" else [line.strip() if kind == "paragraph" else line for line in gathered]
-            )
-            blocks.append(Block(kind, joint.join(pieces).strip("\n")))
-        gathered, kind = [], "paragraph"
-
-    fence = ""
-    for i, line in enumerate(lines):
-        if fence:
-            if line.strip().startswith(fence):
-                fence = ""
-                flush()
-            else:
-                gathered.append(line)
+    tokens = MarkdownIt("commonmark").enable("table").parse("\n".join(lines))
+    for i, token in enumerate(tokens):
+        if token.level or token.map is None or token.nesting < 0:
             continue
-        if match := _FENCE.match(line):
-            flush()
-            fence, kind = match[1], "code"
-        elif match := _HEADING.match(line):
-            flush()
-            blocks.append(Block("heading", match[2], len(match[1])))
-        elif _UNDERLINE.match(line) and kind == "paragraph" and len(gathered) == 1:
-            heading = gathered.pop().strip()
-            flush()
-            blocks.append(Block("heading", heading, 1 if line.startswith("=") else 2))
-        elif not line.strip():
-            following = next((x for x in lines[i + 1 :] if x.strip()), "")
-            if kind != "list" or not (_ITEM.match(following) or following.startswith("  ")):
-                flush()
-        elif line.lstrip().startswith("|"):
-            if kind != "table":
-                flush()
-                kind = "table"
-            gathered.append(line.strip())
-        elif _ITEM.match(line):
-            if kind != "list":
-                flush()
-                kind = "list"
-            gathered.append(line.rstrip())
-        elif kind == "list" and gathered:
-            gathered[-1] += " " + line.strip()
-        else:
-            if kind == "table":
-                flush()
-            gathered.append(line)
-    flush()
-    return blocks
+        raw = [line.strip() for line in lines[slice(*token.map)] if line.strip()]
+        if token.type == "heading_open":
+            blocks.append(Block("heading", tokens[i + 1].content, int(token.tag[1])))
+        elif token.type in ("fence", "code_block"):
+            blocks.append(Block("code", token.content.strip("\n")))
+        elif token.type == "table_open":
+            blocks.append(Block("table", "\n".join(raw)))
+        elif token.type in ("bullet_list_open", "ordered_list_open"):
+            blocks.append(Block("list", _items(lines[slice(*token.map)])))
+        elif token.type != "hr":
+            blocks.append(Block("paragraph", " ".join(raw)))
+    return [block for block in blocks if block.text]
+
+
+def _items(lines: list[str]) -> str:
+    """A line for each item of a list."""
+    items: list[str] = []
+    for line in lines:
+        if _ITEM.match(line):
+            items.append(line.rstrip())
+        elif line.strip() and items:
+            items[-1] += " " + line.strip()
+    return "\n".join(items)
 
 
 def read_text(text: str, page: int = 0) -> list[Block]:

@@ -95,7 +95,7 @@ def read_pdf(data: bytes, name: str) -> Document:
         if reader.is_encrypted and not reader.decrypt(""):
             raise BadDocument(f"{name} is protected by a password: save it without one.")
         pages = [page.extract_text() or "" for page in reader.pages]
-        title = str((reader.metadata or {}).get("/Title") or "").strip()
+        title = str(reader.metadata.get("/Title") or "").strip() if reader.metadata else ""
     except BadDocument:
         raise
     except Exception as error:  # pypdf raises many kinds for damaged files

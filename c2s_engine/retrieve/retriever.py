@@ -80,7 +80,8 @@ def retrieve(
     number = {item: i for i, item in enumerate(standing)}
     lists = {name: [number[shelf.items[r]] for r in rows] for name, rows in rankings.items()}
     named = sorted((i for i in ranks if "clause" in ranks[i]), key=lambda i: ranks[i]["clause"])
-    used = {**lists, "clause": [number[i] for i in named]} if method == "fused" else {method: lists[method]}
+    fused: dict[str, list[int]] = {**lists, "clause": [number[i] for i in named]}
+    used = fused if method == "fused" else {str(method): lists[method]}
     items = list(standing)
     hits = []
     for index, score in fuse(used, WEIGHTS)[:limit]:

@@ -107,7 +107,8 @@ def _fields(doc: str, source: str, node: ast.ClassDef) -> str:
             and not inner.target.id.startswith("_")
         ):
             comment = re.search(r"#:?\s*(.*)", lines[inner.lineno - 1])
-            above, i = [], inner.lineno - 2
+            above: list[str] = []
+            i = inner.lineno - 2
             while i >= 0 and lines[i].strip().startswith("#:"):
                 above.insert(0, lines[i].strip()[2:].strip())
                 i -= 1

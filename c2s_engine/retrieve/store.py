@@ -8,7 +8,7 @@ import json
 import os
 import shutil
 import uuid
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -148,7 +148,7 @@ class Store:
 
     def write(
         self,
-        tables: dict[Kind, tuple[Sequence[Row], np.ndarray]],
+        tables: Mapping[Kind, tuple[Sequence[Row], np.ndarray]],
         manifest: Manifest,
         progress: Progress | None = None,
     ) -> None:

@@ -66,7 +66,7 @@ class Worker:
     def _handle(self, message: dict) -> None:
         from c2s_engine.retrieve.errors import RetrievalError
 
-        id = message.get("id")
+        id: Any = message.get("id")
         try:
             if id in self._cancelled:
                 raise _Cancelled

@@ -186,7 +186,7 @@ def _happened(asked: _Asked) -> str:
     found.sort(key=lambda f: f[0])
     events = "; ".join(f"{time:.1f} s {name} {told(e)}" for time, name, e in found[:16])
     end = f"The run ended after {asked.facts.duration:.1f} s: {ended(asked.facts)}."
-    return f"{events}. {end}" if events else f"Nothing of note happened. {end}"
+    return f"{events}. {end}" if events else f"There were no events. {end}"
 
 
 def _event(event: EventFact) -> str:

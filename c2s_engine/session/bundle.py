@@ -21,7 +21,8 @@ def bundle(store: Store, thread: str, name: str) -> str:
     while at in turns:
         turn = turns[at]
         found = saver.get_tuple({"configurable": {"thread_id": thread, "checkpoint_ns": "", "checkpoint_id": at}})
-        state = found.checkpoint["channel_values"]["state"] if found else State().model_dump(mode="json")
+        state = dict(found.checkpoint["channel_values"]["state"] if found else State().model_dump(mode="json"))
+        state["details"] = {k: v for k, v in state["details"].items() if k != "folder"}  # of this machine alone
         told = {"kind": turn.kind, "text": turn.text, "when": turn.when, "summary": turn.summary}
         path.append({**told, "replies": list(turn.replies), "state": state})
         at = turn.parent
@@ -35,9 +36,9 @@ def unbundle(store: Store, text: str, origin: str, name: str | None) -> str:
         turns = [(t, State.model_validate(t["state"])) for t in data["turns"]] if data["format"] == FORMAT else None
         wanted = name or str(data["name"])
     except (ValueError, KeyError, TypeError, ValidationError):
-        raise SessionError(f"{origin} is no exported session") from None
+        raise SessionError(f"{origin} is not an exported session") from None
     if turns is None:
-        raise SessionError(f"{origin} is no exported session of this version ({FORMAT})")
+        raise SessionError(f"{origin} is not an exported session of this version ({FORMAT})")
     taken = {r.name for r in store.rows()}
     free, number = wanted, 2
     while free in taken:

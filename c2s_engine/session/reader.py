@@ -91,7 +91,7 @@ class Reader:
         await process.wait()
         for answer in self._waiting.values():
             if not answer.done():
-                answer.set_exception(Unreadable("The interpreter ended while it read the text: send it again."))
+                answer.set_exception(Unreadable("The interpreter stopped while reading the text: send it again."))
 
 
 async def read(text: str, tools: Any) -> Structure:

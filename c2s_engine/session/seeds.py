@@ -17,7 +17,7 @@ def numbers(text: str, first: int = 0) -> list[int]:
     """The seeds that a text means: "20" is the first 20 from `first` on, "5-9" is five of them; raises ValueError."""
     low, dash, high = text.strip().partition("-")
     if not low.isdigit() or (dash and not high.isdigit()):
-        raise ValueError(f"{text or 'nothing'} is no number of seeds: say 20, or 5-9 for the seeds 5 to 9.")
+        raise ValueError(f"{text or 'nothing'} is not a number of seeds: give 20, or 5-9 for seeds 5 to 9.")
     chosen = list(range(int(low), int(high) + 1)) if dash else list(range(first, first + int(low)))
     if not 1 <= len(chosen) <= MOST:
         raise ValueError(f"A series has 1 to {MOST} seeds, not {len(chosen)}.")

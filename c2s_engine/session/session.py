@@ -161,7 +161,7 @@ class Session:
             self._journal.end(turn)
 
     async def undo(self) -> AsyncIterator[Any]:
-        """Go back to before the last turn."""
+        """Undo the last turn."""
         self._free()
         path = self._path()
         if len(path) < 2:
@@ -233,9 +233,9 @@ class Session:
             if finished and back not in ("undo", "redo"):
                 await asyncio.to_thread(self._commit, turn, finished, tuple(said))
         except sqlite3.Error as error:
-            raise SessionError(f"the session cannot be written ({error}): free some space; S is as it was") from None
+            raise SessionError(f"the session cannot be written ({error}): free some space; S is unchanged") from None
         except OSError as error:
-            raise SessionError(f"the turn could not be done ({error}); S is as it was") from None
+            raise SessionError(f"the turn could not be done ({error}); S is unchanged") from None
         finally:
             self._running = False
             if turn:

@@ -222,7 +222,7 @@ def outcome(finished: Finished) -> str:
     stayed = [c for c in finished.structure.ids if c not in (*written, *followed)]
     changed = f"Changed in its code: {', '.join(followed)}" if followed else ""
     if not written:
-        return f"{changed or 'Nothing had to be written anew'}."
+        return f"{changed or 'Nothing had to be rewritten'}."
     kept = f"; {', '.join(stayed)} stayed as {'they were' if len(stayed) > 1 else 'it was'}" if stayed else ""
     return f"{f'{changed}. ' if changed else ''}Written anew: {', '.join(written)}{kept}."
 
@@ -280,5 +280,5 @@ async def _in_words(engine: Any, question: str, found: Sequence[Passage], emit: 
         async with engine.model_client() as client:
             return await answer_with_model(question, found, client, emit)
     except ModelError as error:
-        emit(Say(text=f"The passages stand for themselves. {error}", severity="warning"))
+        emit(Say(text=f"The model could not answer from the passages. {error}", severity="warning"))
         return ""

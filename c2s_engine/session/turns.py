@@ -51,7 +51,7 @@ def build_turns(engine: Engine, checkpointer: BaseCheckpointSaver) -> CompiledSt
         return {"request": {}, "last": None, "state": after.model_dump(mode="json")}
 
     graph = StateGraph(TurnState)
-    graph.add_node("turn", turn)  # type: ignore[arg-type]
+    graph.add_node("turn", turn)  # type: ignore[call-overload]
     graph.add_edge(START, "turn")
     graph.add_edge("turn", END)
     return graph.compile(checkpointer=checkpointer)

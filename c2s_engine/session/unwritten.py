@@ -16,7 +16,7 @@ def left(before: Structure, after: Structure, emit: Emit) -> Structure:
     new = [c.id for c in after.components if not c.code and c.id not in before]
     if before.ego.code and (stale or gone or new):
         which = ", ".join([*(c.id for c in stale), *new, *gone])
-        text = f"S is changed, its program is not yet ({which}). The next turn tries again; undo takes the change back."
+        text = f"S was changed, but its program was not yet ({which}). The next turn tries again; undo reverts it."
         emit(Say(text=text, severity="warning"))
     return after
 
@@ -26,7 +26,7 @@ def conflicts(before: Structure, after: Structure, emit: Emit) -> None:
     new = [c.id for c in after.components
            if c.conflict and (c.id not in before or before[c.id].conflict != c.conflict)]  # fmt: skip
     if new:
-        text = f"{', '.join(new)}: the code by hand stays; what would be written now stands beside it as a conflict."
+        text = f"{', '.join(new)}: your code is kept; what would be written now is shown beside it as a conflict."
         emit(Say(text=text, severity="warning"))
 
 

@@ -50,7 +50,7 @@ def rule(component: Component) -> str:
         return "its code was written by a model" + ("" if sources else ", and no retrieved passage shows in it")
     spec = component.spec.model_dump(exclude_defaults=True, exclude={"component", "name"}, mode="json")
     if not spec:
-        return "its code is what the typed writer's rules give where nothing is said"
+        return "its code is the typed writer's default"
     fields = ", ".join(_path(name, value) for name, value in spec.items())
     return f"its code was rendered by the typed writer's rules for {fields}"
 

@@ -43,9 +43,9 @@ async def _meant(before: Structure, after: Structure, cid: str, tools: Any) -> t
     try:
         was, becomes = await _readings(before, after, cid, tools)
     except Unreadable as error:
-        return [], f"{cid}: the sentence stands, its fields stay as they were: {error}"
+        return [], f"{cid}: the sentence is kept, the fields are unchanged: {error}"
     if becomes is None:
-        return [], f"{cid}: the sentence stands, its fields stay as they were: it was not understood as one of {cid}."
+        return [], f"{cid}: the sentence is kept, the fields are unchanged: it was not understood as one of {cid}."
     old = was.spec.model_dump(mode="json") if was is not None else {}
     new, assumed = becomes.spec.model_dump(mode="json"), {a.field.split(".")[0] for a in becomes.assumed}
     changes: list[Edit] = []

@@ -7,7 +7,6 @@ from rich.segment import Segment
 from rich.style import Style
 from rich.text import Text
 from textual.document._document import Selection
-from textual.document._document_navigator import DocumentNavigator
 from textual.events import Key
 from textual.geometry import Offset, Region, Spacing
 from textual.reactive import Reactive, reactive
@@ -17,6 +16,7 @@ from textual.widgets.text_area import TextAreaTheme
 from c2s_engine.structure.diagnostics import Diagnostic
 from c2s_engine.structure.layout import common
 from c2s_tui.code.document import ProgramText, UnwrappedText
+from c2s_tui.code.folding import FoldedNavigator, Folding
 from c2s_tui.code.highlight import Blocks, Highlight, stale
 from c2s_tui.in_order import OrderedArea
 from c2s_tui.look.kinds import look
@@ -37,7 +37,7 @@ def code_theme(app_theme: str) -> TextAreaTheme:
 KEPT_ROWS = 5000
 
 
-class CodeArea(OrderedArea):
+class CodeArea(Folding, OrderedArea):
     """A TextArea whose highlights come from Pygments (Textual's own are tree-sitter's)."""
 
     HELP_NAME = "code"
@@ -46,18 +46,37 @@ class CodeArea(OrderedArea):
 
     def __init__(self, **options: Any):
         self.problems: dict[int, Diagnostic] = {}
+        self.vim: Any = None  # Vim's keys, where they are wanted
         self._blocks = Blocks()
         self._plain: dict[Any, Strip] = {}  # by text and highlights of a row
         super().__init__(
             "", language=None, soft_wrap=False, show_line_numbers=True, tab_behavior="indent", compact=True, **options
         )
 
+    def use_vim(self, on: bool) -> None:
+        """Take Vim's keys, or no longer."""
+        from c2s_tui.code.vim import Vim
+
+        self.vim = Vim(self) if on else None
+        self.tell_mode()
+
+    def tell_mode(self) -> None:
+        """Name the mode in the title of the pane."""
+        self.screen.query_one("#code-pane").border_title = f"code: {self.vim.mode} mode" if self.vim else "code"
+
     async def _on_key(self, event: Key) -> None:
+        if self.vim is not None and self.vim.take(event):
+            event.stop()
+            event.prevent_default()
+            self.tell_mode()
+            return
         if event.key == "escape":  # to the pane; TextArea's would take the focus away, and what is typed next with it
             event.prevent_default()
 
     def on_mount(self) -> None:
         self._dress()
+        if self.app.prefs.vim:  # type: ignore[attr-defined]
+            self.call_after_refresh(self.use_vim, True)
         self.app.theme_changed_signal.subscribe(self, lambda _: self._dress())
 
     def _dress(self) -> None:
@@ -69,7 +88,7 @@ class CodeArea(OrderedArea):
     def _set_document(self, text: str, language: str | None) -> None:
         self.document = ProgramText(text)
         self.wrapped_document = UnwrappedText(self.document, tab_width=self.indent_width)
-        self.navigator = DocumentNavigator(self.wrapped_document)
+        self.navigator = FoldedNavigator(self.wrapped_document)
         self._build_highlight_map()
         self.move_cursor((0, 0))
         self._rewrap_and_refresh_virtual_size()
@@ -88,6 +107,8 @@ class CodeArea(OrderedArea):
 
     def _watch_selection(self, previous_selection: Selection, selection: Selection) -> None:
         """Draw the rows that were and that are selected, have the cursor or its bracket."""
+        if selection.end[0] in self.hidden:  # found, gone to, or stepped into
+            self.fold(())
         brackets = [self._matching_bracket_location]
         super()._watch_selection(previous_selection, selection)
         brackets.append(self._matching_bracket_location)
@@ -98,7 +119,8 @@ class CodeArea(OrderedArea):
     def _render_line(self, y: int) -> Strip:
         """As TextArea draws it; a row without cursor, selection or bracket is a cut from what was made for its text."""
         left, top = self.scroll_offset
-        row = top + y
+        shown = self.shown
+        row = top + y if shown is None else shown[top + y] if top + y < len(shown) else self.document.line_count
         first, last = sorted((self.selection.start[0], self.selection.end[0]))
         bracket = self._matching_bracket_location
         if row >= self.document.line_count or first <= row <= last or bracket and bracket[0] == row or not self._theme:

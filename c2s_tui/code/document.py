@@ -3,7 +3,7 @@
 from rich.cells import cell_len
 from textual.document._document import Document, EditResult, Location
 from textual.document._wrapped_document import WrappedDocument
-from textual.geometry import Size
+from textual.geometry import Offset, Size
 
 
 class ProgramText(Document):
@@ -35,7 +35,28 @@ class ProgramText(Document):
 
 
 class UnwrappedText(WrappedDocument):
-    """A document that is not wrapped: as high as it has lines, without counting them each time it is asked."""
+    """A document that is not wrapped: as high as it has lines, without counting them each time it is asked. Rows can be
+    hidden."""
+
+    hidden: frozenset[int] = frozenset()
+
+    def hide(self, rows: frozenset[int]) -> None:
+        """Hide these rows, and no others; a hidden row is taken to be where the shown one above it is."""
+        self.hidden = frozenset()
+        self.wrap(self._width)
+        if rows:
+            self.hidden = rows
+            self._offset_to_line_info = [(r, 0) for r, _ in self._offset_to_line_info if r not in rows]
+            at = -1
+            for row in range(len(self._line_index_to_offsets)):
+                at += row not in rows
+                self._line_index_to_offsets[row] = [max(0, at)]
+
+    def offset_to_location(self, offset: Offset) -> Location:
+        if not self.hidden:
+            return super().offset_to_location(offset)
+        row = self._offset_to_line_info[min(max(0, offset.y), len(self._offset_to_line_info) - 1)][0]
+        return row, self.get_target_document_column(row, max(0, offset.x), 0)
 
     @property
     def height(self) -> int:

@@ -27,10 +27,11 @@ class Gutter(Widget):
         self.changed: frozenset[int] = frozenset()
         self.problems: dict[int, Diagnostic] = {}
         self.here: str | None = None
+        self.rows: list[int] | None = None  # of the text, one for each of the screen, where some are folded away
         self._styles: dict[str, Style] = {}  # of one drawing
 
     def show(self, **values) -> None:
-        """Set any of top, spans, changed, problems, here; draws only if something differs."""
+        """Set any of top, spans, changed, problems, here, rows; draws only if something differs."""
         if any(getattr(self, name) != value for name, value in values.items()):
             for name, value in values.items():
                 setattr(self, name, value)
@@ -38,6 +39,18 @@ class Gutter(Widget):
 
     def get_content_width(self, container: Size, viewport: Size) -> int:
         return WIDTH
+
+    def line_at(self, y: int) -> int:
+        """The line (from 1) of the text that a row of the screen shows."""
+        at = self.top + y
+        return at + 1 if self.rows is None else self.rows[at] + 1 if at < len(self.rows) else 0
+
+    def folded(self, line: int) -> bool:
+        """Whether what follows a line is folded away."""
+        if self.rows is None or line - 1 not in self.rows:
+            return False
+        at = self.rows.index(line - 1)
+        return at + 1 < len(self.rows) and self.rows[at + 1] != line
 
     def component_at(self, line: int) -> FragmentSpan | None:
         return next((s for s in self.spans if s.first <= line <= s.last), None)
@@ -48,11 +61,12 @@ class Gutter(Widget):
         return super().render_lines(crop)
 
     def render_line(self, y: int) -> Strip:
-        line = self.top + y + 1
+        line = self.line_at(y)
         base = self._style("")
         span = self.component_at(line)
         changed, problem = line in self.changed, self.problems.get(line)
-        segments = [self._cell(mark("changed") if changed else " ", "changed", base)]
+        sign = mark("closed") if self.folded(line) else mark("changed") if changed else " "
+        segments = [self._cell(sign, "changed", base)]
         if span is None:
             segments.append(Segment("    ", base))
         else:
@@ -77,6 +91,6 @@ class Gutter(Widget):
         return self._styles[name]
 
     def on_click(self, event: Click) -> None:
-        line = self.top + event.y + 1
+        line = self.line_at(event.y)
         if span := self.component_at(line):
             self.post_message(Picked(span.component, "gutter", line))

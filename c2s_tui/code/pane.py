@@ -77,6 +77,7 @@ class CodePane(Vertical):
             self.desk = desk
             return
         self.desk = desk
+        first = not self.base.text and bool(desk.program.text)
         if desk.program.text != self.base.text:
             typed = merged(self.base.text, self.text, desk.program.text)
             self.area.replace_text(desk.program.text)
@@ -86,6 +87,13 @@ class CodePane(Vertical):
         if not self.edited:
             self._live = None
         self._draw()
+        if first:
+            self.call_after_refresh(self._begin_at_ego)
+
+    def _begin_at_ego(self) -> None:
+        """What is looked for first in a program is ego, not settings and imports."""
+        if self.area.cursor_location == (0, 0):
+            self.point("E")
 
     def empty(self) -> None:
         """Forget the text and its history: another session's comes."""
@@ -111,9 +119,9 @@ class CodePane(Vertical):
         changed = changed_lines(before, self.area.text) if before else frozenset()
         self.side.show(
             top=round(self.area.scroll_y), spans=moved_spans(self.base, self.area.text), changed=changed,
-            problems=dict(self.area.problems),
+            problems=dict(self.area.problems), rows=self.area.shown,
         )  # fmt: skip
-        self._entitle("edited, not applied: F5 applies" if self.edited else "")
+        self._entitle("edited: F5 applies the changes" if self.edited else "")
         self._show_finding()
 
     def _entitle(self, words: str) -> None:
@@ -140,7 +148,7 @@ class CodePane(Vertical):
         if found.fix:
             parts += [("\nfix: ", "bold"), found.fix]
             if found.edit:
-                parts.append(("  Ctrl+T takes it", "$muted"))
+                parts.append(("  Ctrl+T applies it", "$muted"))
         return Content.assemble(*parts)
 
     @property
@@ -167,6 +175,21 @@ class CodePane(Vertical):
         """What was typed and is not applied."""
         return (SetProgram(text=self.text),) if self.edited else ()
 
+    def toggle_fold(self, which: str = "") -> None:
+        """Fold what follows a component's first line away, or show it again: the component at the cursor, one by id,
+        `all` (but the one at the cursor) or `none`."""
+        spans, line = self.side.spans, self.area.cursor_location[0] + 1
+        here = self.side.component_at(line)
+        folded = {s.component for s in spans if s.first in self.area.hidden}
+        if which in ("all", "none"):
+            folded = {s.component for s in spans if s != here} if which == "all" else set()
+        elif cid := which or (here.component if here else ""):
+            folded ^= {cid}
+        if here and here.component in folded:
+            self.area.move_cursor((here.first - 1, 0))
+        self.area.fold(row for s in spans if s.component in folded for row in range(s.first, s.last))
+        self.side.show(rows=self.area.shown)
+
     def commit(self) -> bool:
         """Ask for the hand edits to be taken; whether there were any."""
         edits = self.hand_edit
@@ -188,6 +211,7 @@ class CodePane(Vertical):
         line = self.area.cursor_location[0] + 1
         span = self.side.component_at(line)
         self._show_finding()
+        self.side.show(rows=self.area.shown)
         if span and self.area.has_focus:
             self.side.show(here=span.component)
             self.post_message(Picked(span.component, "code", line))

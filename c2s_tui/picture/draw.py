@@ -21,6 +21,8 @@ ROADS = (
 ASPECT = 2.0
 """A cell is twice as high as it is wide."""
 TRAIL_SECONDS = 6.0
+BAR = 14
+"""Columns of the bar that shows the scale, at most."""
 LINES_TO = 1.3
 """m a column up to which the borders of lanes are drawn: farther off, a lane is two columns wide."""
 
@@ -71,6 +73,19 @@ class Canvas:
                 self.labelled |= cells
                 self.write(row + shift, column, text, style)
                 return
+
+    def labels(self, ways: Trajectories, frame: int, names: Mapping[str, str]) -> None:
+        """Write each actor's label and heading, ego's first."""
+        for track in sorted(ways.tracks, key=lambda t: t.name != EGO):
+            arrow = "" if track.kind == "prop" else arrow_of(track.heading[frame])
+            label = names[track.name]
+            self.label(track.x[frame], track.y[frame], f"{label[:6]}{arrow}", f"bold reverse {_style(label)}")
+
+    def sees(self, ring: Sequence[Point]) -> bool:
+        """Whether the box around a polygon touches the canvas."""
+        right, bottom = self.left + self.scale * self.columns, self.top - ASPECT * self.scale * self.rows
+        xs, ys = [x for x, _ in ring], [y for _, y in ring]
+        return max(xs) >= self.left and min(xs) <= right and max(ys) >= bottom and min(ys) <= self.top
 
     def edge(self, ring: tuple[Point, ...], text: str, style: str) -> None:
         """Draw the border of a polygon."""
@@ -127,6 +142,31 @@ def fitting(ways: Trajectories, columns: int, rows: int) -> float:
     return min(max(wanted, 0.5), 4.0)
 
 
+def turned(ways: Trajectories) -> tuple[Trajectories, str]:
+    """The run in quarter turns so that ego sets out to the right, where a terminal has most room; and where north then
+    is: up, left, down or right."""
+    ego = next((t for t in ways.tracks if t.name == EGO), None)
+    quarters = 0 if ego is None or not ego.heading else round(-(ego.heading[0] + math.pi / 2) / (math.pi / 2)) % 4
+    north = ("up", "left", "down", "right")[quarters]
+    if not quarters:
+        return ways, north
+    cos, sin = ((1, 0), (0, 1), (-1, 0), (0, -1))[quarters]
+
+    def ring(points: tuple[Point, ...]) -> tuple[Point, ...]:
+        return tuple((cos * x - sin * y, sin * x + cos * y) for x, y in points)
+
+    tracks = [
+        t.model_copy(update={
+            "x": tuple(cos * x - sin * y for x, y in zip(t.x, t.y, strict=True)),
+            "y": tuple(sin * x + cos * y for x, y in zip(t.x, t.y, strict=True)),
+            "heading": tuple(h + quarters * math.pi / 2 for h in t.heading),
+        })
+        for t in ways.tracks
+    ]  # fmt: skip
+    outline = {kind: tuple(ring(r) for r in rings) for kind, rings in ways.outline.items()}
+    return ways.model_copy(update={"tracks": tuple(tracks), "outline": outline}), north
+
+
 def names(facts: RunFacts | None, ways: Trajectories) -> dict[str, str]:
     """The component of each track: ego is E, the others as the facts say, else by their own name."""
     known = {o.name: o.component for o in facts.objects if o.component} if facts else {}
@@ -142,7 +182,7 @@ def draw(
     if not count or columns < 4 or rows < 2:
         return Content("")
     frame = max(0, min(frame, count - 1))
-    canvas = _canvas(ways, frame, columns, rows, view)
+    canvas = canvas_of(ways, frame, columns, rows, view)
     _roads(canvas, ways)
     first = max(0, frame - int(TRAIL_SECONDS / ways.step))
     for track in ways.tracks:
@@ -154,11 +194,10 @@ def draw(
         label = labels[track.name]
         style = f"bold reverse {_style(label)}"
         canvas.fill(corners(track, frame), " ", style)
-    for track in sorted(ways.tracks, key=lambda t: t.name != EGO):
-        label = labels[track.name]
-        arrow = "" if track.kind == "prop" else arrow_of(track.heading[frame])
-        canvas.label(track.x[frame], track.y[frame], f"{label[:6]}{arrow}", f"bold reverse {_style(label)}")
-    _contacts(canvas, ways, frame, contacts)
+    canvas.labels(ways, frame, labels)
+    for hit in contacts:
+        if (place := where_of(ways, hit, frame)) is not None:
+            canvas.put(*place, "X" if ascii_only() else "✸", "bold $text-error")
     return canvas.content()
 
 
@@ -168,19 +207,21 @@ def arrow_of(heading: float) -> str:
     return arrows[round(heading / (math.pi / 4)) % 8]
 
 
-def _contacts(canvas: Canvas, ways: Trajectories, frame: int, contacts: Sequence[ContactFact]) -> None:
+def where_of(ways: Trajectories, hit: ContactFact, frame: int) -> Point | None:
+    """Where a contact was (m); None before it was, or if one of the two has no track."""
     tracks = {t.name: t for t in ways.tracks}
-    for hit in contacts:
-        at = round(hit.time / ways.step)
-        if at <= frame and hit.one in tracks and hit.other in tracks:
-            one, other = tracks[hit.one], tracks[hit.other]
-            at = min(at, len(one.x) - 1, len(other.x) - 1)
-            x, y = (one.x[at] + other.x[at]) / 2, (one.y[at] + other.y[at]) / 2
-            canvas.put(x, y, "X" if ascii_only() else "✸", "bold $text-error")
+    at = round(hit.time / ways.step)
+    if at > frame or hit.one not in tracks or hit.other not in tracks:
+        return None
+    one, other = tracks[hit.one], tracks[hit.other]
+    at = min(at, len(one.x) - 1, len(other.x) - 1)
+    return (one.x[at] + other.x[at]) / 2, (one.y[at] + other.y[at]) / 2
 
 
-def caption(ways: Trajectories, frame: int, labels: Mapping[str, str], view: View, facts: RunFacts | None) -> Content:
-    """Time, speeds, scale, and the events up to now."""
+def caption(
+    ways: Trajectories, frame: int, labels: Mapping[str, str], view: View, facts: RunFacts | None, north: str = "up",
+) -> Content:  # fmt: skip
+    """Time, speeds, scale, where north is, and the events up to now."""
     time = frame * ways.step
     parts: list = [(f"{time:5.1f} s ", "bold")]
     for track in ways.tracks:
@@ -189,8 +230,10 @@ def caption(ways: Trajectories, frame: int, labels: Mapping[str, str], view: Vie
                 (f" {labels[track.name]}", f"bold {_style(labels[track.name])}"),
                 f" {track.speed[frame] * 3.6:.0f} km/h",
             ]
-    bar = 10 if view.scale < 2 else 50
-    parts.append((f"   {bar} m {('-' if ascii_only() else '─') * max(1, round(bar / view.scale))}\n", "$muted"))
+    bar = max((m for m in (5, 10, 20, 50, 100) if m / view.scale <= BAR), default=5)
+    parts.append((f"   {bar} m {('-' if ascii_only() else '─') * max(1, round(bar / view.scale))}", "$muted"))
+    arrow = arrow_of({"up": 0.0, "left": 0.5, "down": 1.0, "right": 1.5}[north] * math.pi)
+    parts.append((f"   north {arrow}\n", "$muted"))
     found = [(e.time, labels.get(o.name, o.name), e) for o in (facts.objects if facts else ()) for e in o.events]
     found = [f for f in found if f[2].event not in USUAL] or found
     for when, label, event in _latest(found, time):
@@ -207,7 +250,7 @@ def _latest(found: list[tuple[float, str, EventFact]], time: float) -> list[tupl
     return sorted((f for f in found if f[0] <= time + 1e-6), key=lambda f: f[0])[-4:]
 
 
-def _canvas(ways: Trajectories, frame: int, columns: int, rows: int, view: View) -> Canvas:
+def canvas_of(ways: Trajectories, frame: int, columns: int, rows: int, view: View) -> Canvas:
     west, south, east, north = bounds(ways)
     if view.follow:
         whom = next((t for t in ways.tracks if t.name == view.whom), ways.tracks[0])
@@ -219,17 +262,19 @@ def _canvas(ways: Trajectories, frame: int, columns: int, rows: int, view: View)
 
 
 def _roads(canvas: Canvas, ways: Trajectories) -> None:
-    right, bottom = canvas.left + canvas.scale * canvas.columns, canvas.top - ASPECT * canvas.scale * canvas.rows
     for kind, shade, plain in ROADS:
         for ring in ways.outline.get(kind, ()):
-            xs, ys = [x for x, _ in ring], [y for _, y in ring]
-            if max(xs) >= canvas.left and min(xs) <= right and max(ys) >= bottom and min(ys) <= canvas.top:
+            if canvas.sees(ring):
                 canvas.fill(ring, plain if ascii_only() else shade, "$faint")
     for ring in ways.outline.get("lane", ()) if canvas.scale <= LINES_TO else ():
-        xs, ys = [x for x, _ in ring], [y for _, y in ring]
-        if max(xs) >= canvas.left and min(xs) <= right and max(ys) >= bottom and min(ys) <= canvas.top:
+        if canvas.sees(ring):
             canvas.edge(ring, "." if ascii_only() else "·", "$muted")
 
 
+def kind_of(label: str) -> str:
+    """The letter of the component that a label names; what no component has is an object."""
+    return label[0] if label[:1] in "GRETO" and (len(label) == 1 or label[1:].isdigit()) else "O"
+
+
 def _style(label: str) -> str:
-    return colour(label) if label[:1] in "GRETO" and (len(label) == 1 or label[1:].isdigit()) else colour("O")
+    return colour(kind_of(label))

@@ -13,8 +13,10 @@ from textual.widgets import Static
 from c2s_engine.structure.facts import RunFacts, Trajectories
 from c2s_engine.structure.happening import USUAL
 from c2s_tui.desk import Desk
+from c2s_tui.look.kinds import ascii_only
 from c2s_tui.messages import CommandAsked
-from c2s_tui.picture.draw import View, caption, draw, fitting, frames, names
+from c2s_tui.picture.draw import View, caption, draw, fitting, frames, names, turned
+from c2s_tui.picture.graphics import KITTY, SIXEL, TEXT, cell_size, chosen, pixel_widget
 from c2s_tui.picture.timebar import TimeBar
 
 FRAMES_PER_SECOND = 8
@@ -48,7 +50,8 @@ class PicturePane(Vertical, can_focus=True):
         self.ways: tuple[Trajectories, ...] = ()
         self.facts: tuple[RunFacts, ...] = ()
         self.run, self.frame, self.view = 0, 0, View()
-        self._fitted = False
+        self._fitted = self._zoomed = False
+        self._turned: dict[int, tuple[Trajectories, str]] = {}  # by run: as it is drawn, and where north is
         self._timer: Timer | None = None
 
     def compose(self) -> ComposeResult:
@@ -60,11 +63,45 @@ class PicturePane(Vertical, can_focus=True):
         """Take the runs of the desk; the step shown stays where there still is one."""
         if desk.trajectories is not self.ways:
             self.ways, self.facts = desk.trajectories, desk.facts
+            self._turned.clear()
             self.run = min(self.run, max(0, len(self.ways) - 1))
             self.frame = 0
-            self._fitted = False
+            self._fitted = self._zoomed = False
             self.stop()
         self._draw()
+
+    @property
+    def way(self) -> str:
+        """How the terminal is to show it: kitty, sixel, blocks or text."""
+        app: Any = self.app
+        return chosen(app.prefs.graphics, app.theme, ascii_only(), app.console.color_system)
+
+    def _paint(self, ways: Trajectories, columns: int, rows: int, labels: dict[str, str], hits: Any) -> None:
+        """Draw the frame in the way that the terminal can show; sixel is too slow to play, so blocks stand for it."""
+        frame, way = self.query_one("#frame", Static), self.way
+        if way == TEXT:
+            frame.update(draw(ways, self.frame, columns, rows, labels, self.view, hits), layout=False)
+            return
+        from c2s_tui.picture import pixels
+
+        at = max(0, min(self.frame, frames(ways) - 1))
+        colours = pixels.palette(self.app.theme_variables)
+        exact = way == KITTY or way == SIXEL and not self.playing
+        frame.display = not exact
+        for widget in self.query("#pixels"):
+            widget.display = exact
+        if exact:
+            self._show_image(pixels.paint(ways, at, columns, rows, labels, self.view, colours, hits, cell_size(), True))
+            return
+        image = pixels.paint(ways, at, columns, rows, labels, self.view, colours, hits)
+        frame.update(pixels.blocks(image, ways, at, labels, self.view, colours, hits), layout=False)
+
+    def _show_image(self, image: Any) -> None:
+        there = self.query("#pixels")
+        if there:
+            there.first().image = image  # type: ignore[attr-defined]
+        else:
+            self.mount(pixel_widget(self.way)(image, id="pixels"), before="#frame")
 
     @property
     def available(self) -> bool:
@@ -75,12 +112,15 @@ class PicturePane(Vertical, can_focus=True):
         return self._timer is not None
 
     def on_resize(self) -> None:
+        self._fitted = self._fitted and self._zoomed
         self._draw()
 
     def _draw(self) -> None:
         if not self.has_class("-on") or not self.available:
             return
-        ways = self.ways[self.run]
+        if self.run not in self._turned:
+            self._turned[self.run] = turned(self.ways[self.run])
+        ways, north = self._turned[self.run]
         facts = self.facts[self.run] if self.run < len(self.facts) else None
         columns, rows = self.content_size.width, self.content_size.height - 3
         if columns < 4 or rows < 2:
@@ -90,9 +130,8 @@ class PicturePane(Vertical, can_focus=True):
             self._fitted = True
         labels = names(facts, ways)
         hits = facts.contacts if facts else ()
-        picture = draw(ways, self.frame, columns, rows, labels, self.view, hits)
-        self.query_one("#frame", Static).update(picture, layout=False)
-        words = caption(ways, self.frame, labels, self.view, facts)
+        self._paint(ways, columns, rows, labels, hits)
+        words = caption(ways, self.frame, labels, self.view, facts, north)
         self.query_one("#caption", Static).update(words, layout=False)
         last = (frames(ways) - 1) * ways.step
         events = [e.time for o in (facts.objects if facts else ()) for e in o.events if e.event not in USUAL]
@@ -144,6 +183,7 @@ class PicturePane(Vertical, can_focus=True):
             self.go(frames(self.ways[self.run]) - 1 if end else 0)
 
     def action_zoom(self, by: int) -> None:
+        self._zoomed = True
         self.view = replace(self.view, scale=min(8.0, max(0.2, self.view.scale * ZOOM**by)), follow=True)
         self._draw()
 

@@ -43,7 +43,7 @@ def outcome(desk: Desk) -> Content:
     if not desk.facts:
         failed = next((s for s in desk.stages if not s.ok), None)
         if failed is not None:
-            return Content.styled(f"There is no run: {failed.name} failed. F8 goes to what was found.", "$text-error")
+            return Content.styled(f"There is no run: {failed.name} failed. F8 goes to the finding.", "$text-error")
         return Content.styled("There is no run yet: describe a scenario, or press F5 to run the program.", "$muted")
     facts = desk.facts[0]
     parts: list = [heading("Outcome")]
@@ -104,7 +104,7 @@ def timeline(facts: RunFacts, width: int) -> Content:
         for event in _notable(thing):
             parts += [(f"{event.time:>11.1f} s ", "$muted"), f"{told(event)}\n"]
     if not shown:
-        parts.append(("Nothing of note happened.\n", "$muted"))
+        parts.append(("There were no events.\n", "$muted"))
     return Content.assemble(*parts).rstrip()
 
 
@@ -135,7 +135,7 @@ def seeds(rows: Sequence[SeedResult], planned: int, width: int) -> Content:
     """A series of runs as a table that fills: passed or failed, requirements met, nearest, what was missed."""
     passed = sum(r.passed for r in rows)
     parts: list = [heading(f"Seeds: {len(rows)} of {planned} run, {passed} passed, {len(rows) - passed} failed")]
-    parts.append((f"  {'seed':<6}{'met':<9}{'gap':<9}{'TTC':<8}first thing missed\n", "$muted"))
+    parts.append((f"  {'seed':<6}{'met':<9}{'gap':<9}{'TTC':<8}first requirement not met\n", "$muted"))
     for row in rows:
         style = "$text-success" if row.passed else "$text-error"
         met = f"{row.met}/{row.required}" if row.required else ""

@@ -18,7 +18,7 @@ class ResultsPane(VerticalScroll, can_focus=True):
     BORDER_TITLE = "results"
     HELP_NAME = "results"
     BINDINGS = [
-        Binding("s", "seeds", "20 seeds", id="results.seeds", tooltip="Run it with 20 seeds: which of them pass"),
+        Binding("s", "seeds", "20 seeds", id="results.seeds", tooltip="Run with 20 seeds and show which pass"),
         Binding("p", "picture", "Picture", id="results.picture", tooltip="Show the run from above"),
         Binding("escape", "close", "Close", id="results.close", tooltip="Cancel what runs, or close the results"),
     ]

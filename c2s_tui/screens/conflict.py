@@ -30,12 +30,13 @@ class Conflict(ModalScreen[str | None]):
                 f"{self.cid} was written by hand, and its fields have changed since", classes="title", markup=False
             )
             with Horizontal(id="conflict-sides"):
-                for title, text in (("by hand (m keeps it)", self.mine), ("from the fields (t takes it)", self.theirs)):
+                sides = ("your code (m keeps it)", self.mine), ("from the fields (t takes it)", self.theirs)
+                for title, text in sides:
                     side = VerticalScroll(Static(_marked(text, self.theirs if text is self.mine else self.mine)))
                     side.border_title = title
                     yield side
             yield Static(
-                "m keeps the code by hand, t takes the new one, Esc decides later", classes="foot", markup=False
+                "m keeps your code, t takes the new code, Esc decides later", classes="foot", markup=False
             )
 
     def action_scroll(self, by: int) -> None:

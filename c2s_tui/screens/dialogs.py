@@ -71,7 +71,7 @@ class Chooser(ModalScreen[str | None]):
     def compose(self) -> ComposeResult:
         with Vertical(classes="dialog"):
             yield Static(self.heading, classes="title", markup=False)
-            yield Input(placeholder=self.free or "type to narrow", compact=True)
+            yield Input(placeholder=self.free or "type to filter", compact=True)
             yield OptionList(*self._options(""))
             yield Static(self.foot or "Enter chooses, Esc goes back", classes="foot", markup=False)
 

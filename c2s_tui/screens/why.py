@@ -28,7 +28,7 @@ def _body(structure: Structure, component: Component, state: str) -> Content:
     for link in component.links:
         parts += [(f"{KINDS[link.kind]:<14}", "$muted"), f"{link.label}\n"]
     if not component.links:
-        parts.append(("nothing is recorded that it rests on\n", "$muted"))
+        parts.append(("no words or sources are recorded for it\n", "$muted"))
     for assumption in component.assumed:
         parts += [(f"{mark('assumed')} assumed       ", "$muted"), f"{assumption.field} = {assumption.value}: ",
                   f"{assumption.reason}\n"]  # fmt: skip

@@ -20,7 +20,9 @@ SHOWN_CHOICES = 14
 class FieldEditor(Vertical):
     """Edits one row; posts `Made` with the edit, `Left` when it is given up."""
 
-    BINDINGS = [Binding("escape", "leave", "Back", id="sheet.leave_field", tooltip="Keep the field as it was")]
+    BINDINGS = [Binding("escape", "leave", "Keep as it was", id="sheet.leave_field", tooltip="Leave it unchanged")]
+    KEYS_END = True
+    """While it is open, the keys of the pane around it do nothing."""
 
     class Made(Message):
         def __init__(self, edit: Any):
@@ -74,14 +76,14 @@ class FieldEditor(Vertical):
         if error:
             return Content.styled(error, "$text-error")
         if self.row.kind == SENTENCE:
-            return Content.styled("one sentence; Enter takes it, Esc leaves", "$muted")
+            return Content.styled("one sentence; Enter applies it, Esc keeps what was there", "$muted")
         parts = [self.field.about] if self.field and self.field.about else []
         if choices := self._choices():
             more = f" ... {len(choices)} in all" if len(choices) > SHOWN_CHOICES else ""
             parts.append("one of " + ", ".join(choices[:SHOWN_CHOICES]) + more)
         elif self.field and self.field.unit == "m/s":
             parts.append("typed without a unit it is km/h")
-        return Content.styled("; ".join(parts) or "Enter takes it, Esc leaves", "$muted")
+        return Content.styled("; ".join(parts) or "Enter applies it, Esc keeps what was there", "$muted")
 
     def edit_of(self, text: str) -> Any:
         """The edit that a typed text means; raises EditError."""

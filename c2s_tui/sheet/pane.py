@@ -38,9 +38,9 @@ class SheetPane(VerticalScroll):
         Binding("x,delete", "remove", "Remove", id="sheet.remove", tooltip="Remove the object, or unset the field"),
         Binding("shift+up,K", "reorder(-1)", "Earlier", show=False, id="sheet.earlier", tooltip="Move the object up"),
         Binding("shift+down,J", "reorder(1)", "Later", show=False, id="sheet.later", tooltip="Move the object down"),
-        Binding("w", "why", "Why?", id="sheet.why", tooltip="Why is this here: the words and sources it rests on"),
+        Binding("w", "why", "Why?", id="sheet.why", tooltip="Why is this here: the words and sources behind it"),
         Binding("r", "rewrite", "Rewrite", show=False, id="sheet.rewrite",
-                tooltip="Give code by hand back to the writer"),
+                tooltip="Discard your code; the component is written again"),
         Binding("u,ctrl+z", "undo", "Undo", id="sheet.undo", tooltip="Undo the last turn or edit"),
         Binding("U,ctrl+y", "redo", "Redo", show=False, id="sheet.redo", tooltip="Redo what was undone"),
     ]  # fmt: skip

@@ -100,7 +100,9 @@ def _component(
             )
         )  # fmt: skip
     left = [a for a in component.assumed if a.field not in shown]
-    lines += [Row(f"{cid}:assumed:{a.field}", LINK, cid, f"{a.field} {a.value}", a.reason) for a in left]
+    lines += [
+        Row(f"{cid}:assumed:{a.field}", LINK, cid, f"{a.field.replace('_', ' ')} {a.value}", a.reason) for a in left
+    ]
     lines += [Row(f"{cid}:unmet:{u.text}", UNMET, cid, u.text, u.reason) for u in component.unmet]
     if component.conflict is not None:
         lines.append(Row(f"{cid}:conflict", CONFLICT, cid, "written by hand, and its fields have changed since"))

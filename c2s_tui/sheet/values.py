@@ -177,7 +177,7 @@ def parse(field: Field, text: str) -> Any:
     if field.many:
         return [_one(field, part.strip()) for part in text.split(",") if part.strip()]
     if isinstance(field.value, dict) and not field.leaf:
-        raise EditError(f"{field.path} is made of parts: open it and set those")
+        raise EditError(f"{field.path} consists of several fields: open it and set them")
     return _one(field, text)
 
 

@@ -136,7 +136,7 @@ async def test_an_example_of_the_gallery_comes_into_the_line_to_type_in(stage):
 async def test_sessions_are_renamed_and_deleted(stage):
     async with stage.described() as pilot:
         await stage.say(pilot, "/rename evening")
-        assert stage.said[-1] == "The session demo is called evening now."
+        assert stage.said[-1] == "The session demo is now called evening."
         assert stage.bench.chat.border_subtitle == "evening" and stage.app.prefs.session == "evening"
         await stage.say(pilot, "/delete evening")
         assert stage.said[-1] == "That session is open: /open another one first."

@@ -60,6 +60,7 @@ async def test_leaving_the_code_applies_nothing_and_esc_stays_there(stage):
     async with stage.described() as pilot:
         await pilot.press("f4")
         await stage.until(pilot, lambda: stage.bench.code.area.has_focus)
+        stage.bench.code.area.move_cursor((0, 0))
         await pilot.press("x", "escape", "y")
         assert stage.bench.code.area.has_focus and stage.bench.code.area.text.startswith("xy")
         await pilot.press("f2")

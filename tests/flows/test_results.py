@@ -61,7 +61,7 @@ def test_seeds_fill_a_table_and_a_cancelled_series_keeps_its_rows(stage, compare
 async def test_no_number_of_seeds_is_one_sentence(stage):
     async with stage.described() as pilot:
         await stage.say(pilot, "/seeds many")
-        assert stage.said[-1].startswith("many is no number of seeds: say 20")
+        assert stage.said[-1].startswith("many is not a number of seeds: give 20")
         await stage.say(pilot, "/seeds 0")
         assert stage.said[-1] == "A series has 1 to 500 seeds, not 0."
 

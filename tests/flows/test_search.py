@@ -25,7 +25,7 @@ async def test_a_result_is_read_in_full_and_says_whose_words_it_is(stage):
         await stage.say(pilot, "/search a car cuts in", wait=False)
         await stage.until(pilot, lambda: NOTES in "".join(str(s.content) for s in stage.bench.query("Sources")))
         await stage.say(pilot, "/read 3", wait=False)
-        await stage.until(pilot, lambda: "Say which: /read 1 to /read 2." in stage.said)
+        await stage.until(pilot, lambda: "Give a number: /read 1 to /read 2." in stage.said)
         await stage.say(pilot, "/read 1", wait=False)
         await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
         body = str(stage.app.screen.body)
@@ -40,7 +40,7 @@ async def test_a_clause_becomes_the_description_and_code_a_components(stage):
         await stage.say(pilot, "/use 1", wait=False)
         await stage.until(pilot, lambda: stage.bench.chat.entry.text.startswith("[UN R157, Annex 5, 4.4] Ego drives"))
         await stage.say(pilot, "/use 2", wait=False)
-        await stage.until(pilot, lambda: any("say of which (/use 2 O1)" in line for line in stage.said))
+        await stage.until(pilot, lambda: any("name the component (/use 2 O1)" in line for line in stage.said))
         await stage.say(pilot, "/use 2 O1")
         await stage.until(pilot, lambda: stage.bench.desk.structure["O1"].origin == "by_hand" and not stage.bench.busy)
         assert CODE.text in stage.bench.desk.program.text

@@ -207,7 +207,7 @@ def test_preferences_come_back_and_a_broken_file_is_reported(tmp_path):
     prefs.save(prefs.Prefs(theme="c2s-light", keys={"app.run": "f6"}), file)
     assert prefs.load(file) == prefs.Prefs(theme="c2s-light", keys={"app.run": "f6"})
     file.write_text("theme = 3\n[")
-    assert "Mend or remove" in prefs.load(file).trouble
+    assert "Correct or remove" in prefs.load(file).trouble
     file.write_text("theme = 3\n")
     assert "theme" in prefs.load(file).trouble
 

@@ -70,7 +70,7 @@ async def test_a_model_that_dies_leaves_the_program_and_marks_what_is_to_be_writ
     assert not events[-1].ok and marked(events) == ["O1"]
     assert session.structure["O1"].description == VAN.description and session.structure["O1"].key == ""
     assert warnings(events) == [
-        "S is changed, its program is not yet (O1). The next turn tries again; undo takes the change back."
+        "S was changed, but its program was not yet (O1). The next turn tries again; undo reverts the change."
     ]
     server.respond, first = Programmer(), len(server.requests)
     await take(session.apply(SetDescription(component="T", description="The run ends after 9 s."), run=False))
@@ -107,7 +107,7 @@ async def test_a_full_disk_is_one_sentence_and_changes_nothing(engine, session, 
         raise OSError(errno.ENOSPC, "No space left on device")
 
     monkeypatch.setattr(engine.library, "working_copy", full)
-    with pytest.raises(SessionError, match=r"No space left on device.*S is as it was"):
+    with pytest.raises(SessionError, match=r"No space left on device.*S is unchanged"):
         await take(session.apply(SetField(component="G", path="weather", value=["rain"]), method="embedded", run=False))
     assert whole(session) == before and session.pending is None
 
@@ -129,7 +129,7 @@ async def test_a_dead_check_server_in_a_repair_is_a_finding(server, engine, sess
     monkeypatch.setattr(engine.check_client, "check", dead)
     events = await take(session.apply(VAN, method=f"{METHOD}+repair", run=False))
     assert [d.code for d in events[-1].diagnostics] == ["check-server"] and session.program.text == before
-    assert any("its program is not yet" in w for w in warnings(events))
+    assert any("its program was not yet" in w for w in warnings(events))
 
 
 async def test_fields_that_contradict_are_kept_marked_and_said(session):
@@ -139,7 +139,7 @@ async def test_fields_that_contradict_are_kept_marked_and_said(session):
              SetField(component="O1", path="placement.position", value="right_lane")]  # fmt: skip
     events = await take(session.apply(edits, method="embedded", run=False))
     assert not events[-1].ok and session.program.text == before
-    assert set(marked(events)) == {"R", "O1"} and "its program is not yet (R, O1)" in warnings(events)[-1]
+    assert set(marked(events)) == {"R", "O1"} and "its program was not yet (R, O1)" in warnings(events)[-1]
     events = await take(session.apply(edits[1].model_copy(update={"value": "ahead"}), method="embedded", run=False))
     assert events[-1].ok and all(c.key for c in session.structure.components)
 
@@ -160,7 +160,7 @@ async def test_code_by_hand_is_kept_and_a_conflict_is_said(server, session, meth
     edit = SetField(component="O1", path="type", value="truck")
     events = await take(session.apply(edit, method=method, run=False))
     assert "Truck" in session.structure["O1"].conflict and "# mine" in session.program.text
-    assert any(w.startswith("O1: the code by hand stays") for w in warnings(events))
+    assert any(w.startswith("O1: your code is kept") for w in warnings(events))
     events = await take(session.apply([], method=method, run=False))
     assert not any("by hand" in w for w in warnings(events)), "said once"
     offered = session.structure["O1"].conflict

@@ -137,7 +137,7 @@ async def test_the_literal_is_changed_and_nothing_else(engine, edit, old, new):
     after = done.structure
     assert at(after, edit[0], edit[1]) == edit[2]
     assert [c.origin for c in after.components] == ["imported"] * len(after.components)
-    assert not any(c.conflict for c in after.components) and "stands beside it" not in said
+    assert not any(c.conflict for c in after.components) and "shown beside it" not in said
     assert " -> " in said and (edit[0] in rewritten or new.startswith("VAN_KMH"))
     again = await engine.import_program(done.program.text)
     if edit[0] != "G":
@@ -207,7 +207,7 @@ async def test_where_no_literal_says_it_the_code_stays_beside_the_offer(engine, 
     assert done.program.text == text and rewritten == ()
     assert done.structure["O1"].conflict and done.structure["O1"].spec.speed == 12
     assert done.structure.ego == structure.ego.model_copy(update={"key": done.structure.ego.key})
-    assert "stands beside it as a conflict" in said
+    assert "shown beside it as a conflict" in said
 
 
 async def test_a_class_that_the_world_model_lacks_is_not_written(engine):

@@ -214,7 +214,7 @@ async def test_export_and_import_as_one_file(sessions, tmp_path):
         await take(copy.undo())
         assert whole(copy) == states[k]
     (tmp_path / "other.json").write_text('{"format": "something"}')
-    with pytest.raises(SessionError, match="no exported session"):
+    with pytest.raises(SessionError, match="not an exported session"):
         elsewhere.import_file(tmp_path / "other.json")
 
 

@@ -84,7 +84,7 @@ async def test_a_turn_keeps_it_and_offers_what_the_model_wrote_there(server, ses
     server.respond = Author(EXAMPLE.text.replace(part, f"{part}\n# the model's"))
     events = await take(session.say(CHANGE, run=False))
     assert session.structure["O1"].code == mine and "# the model's" in session.structure["O1"].conflict
-    assert any(w.startswith("O1: the code by hand stays") for w in warnings(events))
+    assert any(w.startswith("O1: your code is kept") for w in warnings(events))
     asked = len(server.requests)
     await take(session.apply(SetCode(component="O1", code=None), run=False))
     assert "# the model's" in session.structure["O1"].code and session.structure["O1"].conflict is None
@@ -191,7 +191,7 @@ async def test_chatscene_keeps_it_and_offers_the_snippet_of_a_new_description(tm
         asked = SetDescription(component="O1", description="A truck cuts in ahead of ego.")
         events = await take(session.apply(asked, run=False))
         assert session.structure["O1"].code == mine and "cuts in" in session.structure["O1"].conflict
-        assert any(w.startswith("O1: the code by hand stays") for w in warnings(events))
+        assert any(w.startswith("O1: your code is kept") for w in warnings(events))
         await take(session.apply(RemoveObject(component="O1"), run=False))
         assert "O1" not in session.structure
         session.close()

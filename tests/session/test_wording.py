@@ -56,7 +56,7 @@ async def test_what_the_words_leave_as_it_was_is_left():
     after, _ = await said(structure, "O1", structure["O1"].description.replace("15 m", "25 m"))
     assert (after["O1"].spec.count, after["O1"].spec.name, after["O1"].spec.placement.gap) == (3, "mine", 25.0)
     after, reply = await said(structure, "O1", "Lorem ipsum dolor.")
-    assert after["O1"].spec == structure["O1"].spec and "fields stay as they were" in reply
+    assert after["O1"].spec == structure["O1"].spec and "fields are unchanged" in reply
 
 
 async def test_the_process_apart_reads_the_same_and_a_killed_one_is_replaced():

@@ -115,9 +115,10 @@ def meeting(one: Seen, other: Seen, situation: Situation) -> Meeting | None:
         k += k0
         j = int(on_b[k])
     else:
-        j = _first_on(to_a[j0:], limits)
-        if j is None:
+        first = _first_on(to_a[j0:], limits)
+        if first is None:
             return None
+        j = first
         j += j0
         k = int(on_a[j])
     if bt[j] == BEHIND or at[k] == BEHIND:

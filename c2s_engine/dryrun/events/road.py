@@ -210,9 +210,9 @@ class EgoPath:
             if name.startswith("speed_sign") and value.replace(".", "", 1).isdigit():
                 found.append(float(value))
         for name in ("speed_limit", "speed_limit_kmh"):
-            value = self.situation.recording.params.get(name)
-            if isinstance(value, int | float):
-                found.append(float(value))
+            limit = self.situation.recording.params.get(name)
+            if isinstance(limit, int | float):
+                found.append(float(limit))
         return tuple(dict.fromkeys(found))
 
 

@@ -188,7 +188,7 @@ class Situation:
         for step in range(first, end):
             for lane in held[step]:
                 steps.setdefault(lane, []).append(step)
-        found = {}
+        found: dict[tuple[int, int], float] = {}
         for lane, at in steps.items():
             info = self.index.lanes[lane]
             s, d = info.project_many(seen.xy[at])

@@ -34,6 +34,8 @@ def offset(spec: ObjectSpec, ego: EgoSpec, place: PlaceSpec) -> float:
     said = {"left_lane": 1, "right_lane": -1}.get(at.position, {"left": 1, "right": -1}.get(str(at.side), side))
     if not side or said != side:
         return 0.0
+    if at.position == "partly_in_lane" and at.lateral is None:  # it is where that says
+        return 0.0
     lateral = middle(at.lateral) if at.lateral is not None else LATERAL
     return round(side * ((WIDTH[spec.type] + WIDTH[ego.type]) / 2 + lateral), 2)
 
@@ -61,7 +63,8 @@ def beside_ego(structure: Structure) -> Structure:
 
 def _placed(component: Component, spec: ObjectSpec, ego: EgoSpec, aside: float) -> Component:
     passes = any(p.action == "overtake" for p in spec.phases)
-    where = {"position": "partly_in_lane", "side": "left" if aside > 0 else "right", "along": "behind", "gap": None}
+    where = {"position": "partly_in_lane", "side": "left" if aside > 0 else "right", "along": "behind", "gap": None,
+             "lateral": spec.placement.lateral if spec.placement.lateral is not None else LATERAL}  # fmt: skip
     changes: dict[str, object] = {"placement": spec.placement.model_copy(update=where)}
     phases = tuple(p for p in spec.phases if p.action not in ("overtake", "keep_lane", "follow"))
     goes = () if any(p.action in TURN for p in phases) else (Phase(action="go_straight"),)

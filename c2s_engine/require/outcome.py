@@ -8,6 +8,7 @@ from c2s_engine.require.geometry import box_distance, face
 from c2s_engine.require.results import decided, scored, unknown
 from c2s_engine.require.scene import Scene
 from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
 
 SIDEWARD = ("lane_change", "cut_in", "drift", "swerve", "lose_control", "overtake", "cut_out", "enter_road", "u_turn",
@@ -15,6 +16,8 @@ SIDEWARD = ("lane_change", "cut_in", "drift", "swerve", "lose_control", "overtak
 """Who does one of these may touch with any part."""
 
 
+TOGETHER = 0.8
+"""s within which of one another two come to where their ways meet who may touch there."""
 CORNER = 0.3
 """m from an end or a side within which it is touched, too."""
 
@@ -46,10 +49,16 @@ def required(scene: Scene) -> Iterator[Requirement]:
                              mine=False)  # fmt: skip
     if all(scene.recognised(a) for a in scene.actors):
         timed = [a for a, o in scene.objects.items() if o.placement.arrives is not None]
-        meet = [(a, EGO) for a in timed if scene.stated(a, "placement.arrives")]
+        meet = [(a, EGO) for a in timed if scene.stated(a, "placement.arrives") and _together(scene, a)]
         said = tuple(f"{a} {b}" for a, b in (*pairs, *(meet if scene.ego.reaction == "none" else ())))
         text = "Nobody else touches anybody." if said else "Nobody touches anybody."
         yield scene.make("outcome", "no_other_contact", EGO, "no_other_contact", text, component="T", pairs=said)
+
+
+def _together(scene: Scene, actor: str) -> bool:
+    """Whether one is where its way meets ego's about when ego is."""
+    arrives = scene.objects[actor].placement.arrives
+    return arrives is not None and low(arrives) < TOGETHER and high(arrives) > -TOGETHER
 
 
 def _part(scene: Scene, actor: str) -> str | None:

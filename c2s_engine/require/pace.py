@@ -84,7 +84,7 @@ def _braked(requirement: Requirement, evidence: Evidence) -> list[float]:
         return []
     braking = np.flatnonzero(ego.acceleration < -bounds()["phase"]["change_rate"]["value"])
     aside = np.nan_to_num(np.abs(ego.of_course("aside"))) > bounds()["phase"]["back"]["value"]
-    out = np.flatnonzero(aside) if not aside[-1] else []
+    out = np.flatnonzero(aside) if not aside[-1] else np.zeros(0, int)
     return [float(ego.time[found[-1]]) for found in (braking, out) if len(found)]
 
 

@@ -48,7 +48,7 @@ def _unsaid(spec: ObjectSpec) -> list[str]:
 
 
 def _of_ego(spec: EgoSpec, place: object) -> tuple[str, ...]:
-    actions = [p.action for p in spec.phases]
+    actions: list[str] = [p.action for p in spec.phases]
     if isinstance(place, PlaceSpec) and place.kind == "intersection" and place.manoeuvre:
         actions.append(_MANOEUVRES[place.manoeuvre])
     if spec.reaction != "none":

@@ -19,7 +19,7 @@ from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
-from c2s_engine.structure.requirements import Requirement, Result
+from c2s_engine.structure.requirements import Requirement, Result, Value
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 
 THREATS = ("cut_in", "cross_road", "enter_road", "run_red", "run_stop", "oncoming", "reverse", "drift", "u_turn",
@@ -81,9 +81,10 @@ def required(scene: Scene) -> Iterator[Requirement]:
         yield scene.make("conflict", "threatens", actor, "threat", text, other=EGO, reaction=reacts)
         if reacts and scene.ego.reaction != "follow":
             others = tuple(a for a in scene.objects if a != actor)
+            more: dict[str, Value] = {"others": others} if others else {}
             yield scene.make("reaction", "reacts", EGO, f"reaction.{actor}", f"Ego reacts to {name} once it can be "
                              "seen, in time, and not before.", other=actor, action=_onset_of(scene.objects[actor]),
-                             **({"others": others} if others else {}))  # fmt: skip
+                             **more)  # type: ignore[arg-type]  # fmt: skip
 
 
 def _arriving(scene: Scene) -> Iterator[Requirement]:

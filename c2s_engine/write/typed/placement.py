@@ -1,7 +1,7 @@
 """Where an object starts, as Scenic: a point on a lane by its distance along it, or a spot beside the road."""
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed import meetings, pockets, scope, stations
 from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.beside import behind_junction, beside_road
@@ -99,7 +99,9 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
         )]  # fmt: skip
     else:
         lines = [measured(structure, cid, spec, plan, sign)]
-    if way_beside := offset(spec, structure.ego.spec, plan.place):
+    ego = structure.ego.spec
+    assert isinstance(ego, EgoSpec)
+    if way_beside := offset(spec, ego, plan.place):
         turn = f"way({lane}, {turn_of(spec.phases)})"
         lines = meetings.start(structure, cid, plan, lane, turn, at) or lines
     reached = member(spec, at, sign or 1)

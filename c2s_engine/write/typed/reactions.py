@@ -54,7 +54,7 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     cids = [c for c in cids if c not in strikers]
     threats = [every(actor.structure, spec.react_to)] if spec.react_to else once_seen(actor.structure, cids)
     forced = {p.action for p in spec.phases if p.trigger is None}
-    limit, rate = (4, HARD) if spec.hard else (3, SOFT)
+    limit, rate = (4.0, HARD) if spec.hard else (3.0, SOFT)
     if spec.hard and spec.react_to and _position(actor.structure, spec.react_to) in APPROACH_ANGLE:
         limit = EMERGENCY  # others on their way are seen long before they can be seen to come on
     elif "stop" in forced and any(_position(actor.structure, c) in APPROACH_ANGLE for c in cids):

@@ -54,3 +54,11 @@ def test_another_part_touches_where_one_comes_later_or_earlier(part, other_part,
     assert as_it_is is not None and abs(as_it_is) <= 0.1
     moved = to_touch(van, ego, lambda own, _: face(own, van.size) == other_part)
     assert moved is not None and moved * late < 0
+
+
+@pytest.mark.parametrize(("late", "holds"), [(1.0, True), (1.9, False), (0.1, False)])
+def test_a_stated_arrival_where_ways_meet_is_measured(late, holds):
+    spec = ObjectSpec(placement=Placement(position="crossing_left", arrives=1.0))
+    found = result(spec, late, "arrives_where_ways_meet")
+    assert found.holds is holds and found.value == pytest.approx(late, abs=0.3)
+    assert (found.due is None) is holds

@@ -180,7 +180,8 @@ def _slower(phases: list[Phase]) -> str:
     phase = next((p for p in phases if p.action == "brake" and p.speed is not None), None)
     if phase is None or phase.speed is None or phase.trigger is None or phase.trigger.kind != "place":
         return ""
-    return f"(place.length - {scope.number(middle(phase.trigger.value or 0) + 4)}, {scope.quantity(phase.speed)})"
+    before, goal = middle(phase.trigger.value or 0) + 4, middle(phase.speed or 0)
+    return f"(place.length - {scope.number(before)}, {scope.number(goal)})"
 
 
 BEARING = {"left": "90 deg", "right": "-90 deg", "u_turn": "180 deg"}

@@ -164,9 +164,9 @@ def _place_kind(place: PlaceSpec, ego: EgoSpec, objects: dict[str, ObjectSpec]) 
     positions = {o.placement.position for o in objects.values()}
     turns = any(p.action in ("turn_left", "turn_right", "run_red", "run_stop") for p in lanes.all_phases(ego, objects))
     wants = turns or positions & (APPROACH_ANGLE.keys() | {"intersection_exit"}) or place.control or place.arms
-    wants = wants and "circulating" not in positions
     crossing = positions & (APPROACH_ANGLE.keys() | {"intersection_exit"}) - {"circulating"}
-    if (place.kind == "road" and wants) or (crossing and place.kind in ("straight", "curve", "crosswalk")):
+    joins = place.kind == "road" and "circulating" not in positions
+    if (joins and wants) or (crossing and place.kind in ("straight", "curve", "crosswalk")):
         place = place.model_copy(update={"kind": "intersection"})
     if "circulating" in positions and place.kind == "road":
         place = place.model_copy(update={"kind": "roundabout"})

@@ -2,7 +2,6 @@
 param map = localPath('town.xodr')
 param carla_map = None
 param use2DMap = True
-param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 from c2s_driving import *
@@ -34,7 +33,7 @@ behavior RammerBehavior():
     do Drive(line, 0, rate=6)
 
 rammer = new Car at place.lane.centerline.pointAlongBy(RAMMER_AT),
-    with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
+    with blueprint Uniform(*CARS),
     with behavior RammerBehavior()
 
 ## T

@@ -2,7 +2,6 @@
 param map = localPath('town.xodr')
 param carla_map = None
 param use2DMap = True
-param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 from c2s_driving import *
@@ -39,7 +38,7 @@ behavior WalkerBehavior():
 walker = new Pedestrian at (new OrientedPoint at place.lane.rightEdge.project(place.lane.centerline.pointAlongBy(WALKER_AT)), facing roadDirection at place.lane.centerline.pointAlongBy(WALKER_AT)) offset by 3 @ 0,
     facing 90 deg relative to (roadDirection at place.lane.centerline.pointAlongBy(WALKER_AT)),
     with regionContainedIn everywhere,
-    with blueprint Uniform('walker.pedestrian.0001', 'walker.pedestrian.0002', 'walker.pedestrian.0003', 'walker.pedestrian.0005', 'walker.pedestrian.0006'),
+    with blueprint Uniform(*PEDESTRIANS),
     with behavior WalkerBehavior()
 
 ## T

@@ -2,7 +2,6 @@
 param map = localPath('town.xodr')
 param carla_map = None
 param use2DMap = True
-param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 from c2s_driving import *
@@ -39,7 +38,7 @@ behavior CutterBehavior():
     do Drive(line, 15.4, rate=4)
 
 cutter = new Car at place.left_lane.centerline.pointAlongBy(CUTTER_AT),
-    with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
+    with blueprint Uniform(*CARS),
     with behavior CutterBehavior()
 
 ## T

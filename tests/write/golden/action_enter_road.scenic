@@ -2,7 +2,6 @@
 param map = localPath('town.xodr')
 param carla_map = None
 param use2DMap = True
-param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 from c2s_driving import *
@@ -32,13 +31,12 @@ PULLER_AT = EGO_AT + 50 + 5  # m along the lane
 behavior PullerBehavior():
     line = way(place.lane)
     do Drive(line, 0) until pulls_out(self, ego, line, 3, -1.69)
-    line = way(place.lane)
     do Drive(line, 7, rate=3)
 
 puller = new Car at (new OrientedPoint at place.lane.rightEdge.project(place.lane.centerline.pointAlongBy(PULLER_AT)), facing roadDirection at place.lane.centerline.pointAlongBy(PULLER_AT)) offset by 1.6 @ 0,
     facing (roadDirection at place.lane.centerline.pointAlongBy(PULLER_AT)),
     with regionContainedIn everywhere,
-    with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
+    with blueprint Uniform(*CARS),
     with behavior PullerBehavior()
 
 ## T

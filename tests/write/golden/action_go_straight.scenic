@@ -2,7 +2,6 @@
 param map = localPath('town.xodr')
 param carla_map = None
 param use2DMap = True
-param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 from c2s_driving import *
@@ -33,16 +32,9 @@ CROSSER_AHEAD = Range(-0.3, 0.3)  # s before ego where their ways cross, if neit
 CROSSER_TO_JUNCTION = start_to_meet(
     place.from_right, way(place.from_right), CROSSER_SPEED,
     way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=CROSSER_AHEAD)  # m
-
-behavior CrosserBehavior():
-    line = way(place.from_right)
-    take SetSpeedAction(CROSSER_SPEED)
-    do Drive(line, CROSSER_SPEED) until self._intersection
-    do Drive(line, CROSSER_SPEED)
-
 crosser = new Car at place.from_right.centerline.pointAlongBy(-CROSSER_TO_JUNCTION),
-    with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
-    with behavior CrosserBehavior()
+    with blueprint Uniform(*CARS),
+    with behavior Cruise(way(place.from_right), CROSSER_SPEED)
 
 ## T
 require monitor OnceSeen([

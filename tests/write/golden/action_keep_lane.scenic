@@ -2,7 +2,6 @@
 param map = localPath('town.xodr')
 param carla_map = None
 param use2DMap = True
-param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 from c2s_driving import *
@@ -26,15 +25,9 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
 ## O1
 LEAD_SPEED = 12  # m/s
 LEAD_AT = EGO_AT + 30 + 5  # m along the lane
-
-behavior LeadBehavior():
-    line = way(place.lane)
-    take SetSpeedAction(LEAD_SPEED)
-    do Drive(line, LEAD_SPEED)
-
 lead = new Car at place.lane.centerline.pointAlongBy(LEAD_AT),
-    with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
-    with behavior LeadBehavior()
+    with blueprint Uniform(*CARS),
+    with behavior Cruise(way(place.lane), LEAD_SPEED)
 
 ## T
 terminate after 20 seconds

@@ -2,7 +2,6 @@
 param map = localPath('town.xodr')
 param carla_map = None
 param use2DMap = True
-param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 from c2s_driving import *
@@ -37,7 +36,7 @@ behavior PasserBehavior():
     do Drive(line, PASSER_SPEED)
 
 passer = new Car at place.lane.centerline.pointAlongBy(PASSER_AT),
-    with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
+    with blueprint Uniform(*CARS),
     with behavior PasserBehavior()
 
 ## T

@@ -2,7 +2,6 @@
 param map = localPath('town.xodr')
 param carla_map = None
 param use2DMap = True
-param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 from c2s_driving import *
@@ -38,15 +37,9 @@ RUNNER_AHEAD = Range(-0.3, 0.3)  # s before ego where their ways cross, if neith
 RUNNER_TO_JUNCTION = start_to_meet(
     place.from_right, way(place.from_right), RUNNER_SPEED,
     way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=RUNNER_AHEAD, stop=stop_line(place.lane) - 3.4, held=2)  # m
-
-behavior RunnerBehavior():
-    line = way(place.from_right)
-    take SetSpeedAction(RUNNER_SPEED)
-    do Drive(line, RUNNER_SPEED)
-
 runner = new Car at place.from_right.centerline.pointAlongBy(-RUNNER_TO_JUNCTION),
-    with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
-    with behavior RunnerBehavior()
+    with blueprint Uniform(*CARS),
+    with behavior Cruise(way(place.from_right), RUNNER_SPEED)
 
 ## T
 require monitor OnceSeen([

@@ -2,7 +2,6 @@
 param map = localPath('town.xodr')
 param carla_map = None
 param use2DMap = True
-param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 from c2s_driving import *
@@ -34,11 +33,10 @@ behavior LeadBehavior():
     line = way(place.lane)
     take SetSpeedAction(LEAD_SPEED)
     do Drive(line, LEAD_SPEED) for 3 seconds
-    do Drive(line, 0, rate=4) until self.speed < 0.2
     do Drive(line, 0, rate=4)
 
 lead = new Car at place.lane.centerline.pointAlongBy(LEAD_AT),
-    with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
+    with blueprint Uniform(*CARS),
     with behavior LeadBehavior()
 
 ## T

@@ -2,7 +2,6 @@
 param map = localPath('town.xodr')
 param carla_map = None
 param use2DMap = True
-param timestep = 0.1
 param weather = 'ClearNoon'
 model scenic.simulators.carla.model
 from c2s_driving import *
@@ -41,16 +40,9 @@ TURNER_AHEAD = Range(-0.3, 0.3)  # s before ego where their ways cross, if neith
 TURNER_TO_JUNCTION = start_to_meet(
     place.from_opposite, way(place.from_opposite, LEFT_TURN), TURNER_SPEED,
     way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=TURNER_AHEAD)  # m
-
-behavior TurnerBehavior():
-    line = way(place.from_opposite, LEFT_TURN)
-    take SetSpeedAction(TURNER_SPEED)
-    do Drive(line, TURNER_SPEED) until self._intersection
-    do Drive(line, TURNER_SPEED)
-
 turner = new Car at place.from_opposite.centerline.pointAlongBy(-TURNER_TO_JUNCTION),
-    with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),
-    with behavior TurnerBehavior()
+    with blueprint Uniform(*CARS),
+    with behavior Cruise(way(place.from_opposite, LEFT_TURN), TURNER_SPEED)
 
 ## T
 require monitor OnceSeen([

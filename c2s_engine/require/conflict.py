@@ -214,6 +214,11 @@ def _onset(motion: Motion, action: str) -> float | None:
         moved = np.abs(aside - aside[0]) > limits["aside"]["value"]
     elif action in ("brake", "stop"):
         moved = motion.acceleration < -1.0
+    elif action in ("run_red", "run_stop"):  # when it can no longer stop at its line
+        front = motion.of_course("along") + motion.size[0] / 2
+        lines = [m.start for m in motion.course.marks if m.kind == "line"]
+        rest = min(((s - front) for s in lines if s > front[0]), key=lambda r: r[0], default=np.zeros(len(front)))
+        moved = rest < motion.speed**2 / (2 * limits["stopping"]["value"])
     elif action in ("cross_road", "enter_road", "reverse", "u_turn"):
         moved = (motion.speed > 0.3) if motion.speed[0] <= 0.3 else np.zeros(len(motion.speed), bool)
     else:

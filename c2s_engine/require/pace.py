@@ -15,8 +15,9 @@ from c2s_engine.structure.requirements import Requirement, Result
 
 def required(scene: Scene) -> Iterator[Requirement]:
     ids = tuple(
-        f"{'E' if actor == EGO else actor}.phases.{i}.{p.action}"
+        f"{'E' if actor == EGO else actor}.phases.{i}.{end}"
         for actor, i, p in scene.phases() if p.action not in LASTING
+        for end in (p.action, *({"overtake": ("back", "abandoned"), "swerve": ("back",)}.get(p.action, ())))
     )  # fmt: skip
     if not ids:
         return

@@ -25,6 +25,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
     before: dict[str, str] = {}
     for actor, i, phase in scene.phases():
         path, name = f"phases.{i}", scene.named(actor)
+        if phase.action == "overtake" and phase.abandoned:
+            continue  # c2s_engine/require/manoeuvres.py
         shows = shown_by(phase.action)
         if phase.action == "lane_change" and phase.side:
             shows = (f"lane_change_{phase.side}",)
@@ -136,10 +138,19 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
             e.time for e in motion.facts.events
             if e.event in events and (partners is None or e.other is None or e.other in partners)
         ]  # fmt: skip
+        if action == "swerve":
+            times = [_begun(motion, t) for t in times]
         if action in AT_JUNCTION and not times:
             times = _cut_short(motion, action)
     later = [t for t in times if t >= earliest - bounds()["order"]["room"]["value"]]
     return min(later) if later else min(times, default=None)
+
+
+def _begun(motion: Motion, time: float) -> float:
+    """When it left its lane's middle by what it does at a time, where it is back."""
+    aside = np.abs(motion.of_course("aside"))[: motion.at(time) + 1]
+    near = np.flatnonzero(aside[: int(aside.argmax()) + 1] < bounds()["reaction"]["aside"]["value"])
+    return float(motion.time[near[-1]]) if len(near) else time
 
 
 def _cut_short(motion: Motion, action: str) -> list[float]:

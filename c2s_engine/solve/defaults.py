@@ -5,7 +5,7 @@ from c2s_engine.structure.components import Assumption, Structure
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 
-HOLDS = ("keep_lane", "accelerate", "collide", "run_red", "run_stop", "oncoming", "lose_control", "reverse")
+HOLDS = ("keep_lane", "accelerate", "collide", "drift", "run_red", "run_stop", "oncoming", "lose_control", "reverse")
 """What ego does of its own accord whatever the others do."""
 
 

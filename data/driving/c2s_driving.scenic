@@ -527,6 +527,11 @@ def hides(thing, eye, spot):
         enters, leaves = max(enters, first), min(leaves, last)
     return enters < leaves
 
+def blocked(car, others, within=40):
+    """Whether one of the others stands in the way of `car`, at most so far (m) ahead."""
+    places = [(other, (other.position - car.position).rotatedBy(-car.heading)) for other in others if other.speed < 1]
+    return any(0 < place.y < within and abs(place.x) < (car.width + other.width) / 2 + 0.5 for other, place in places)
+
 def most_need(car, others):
     """The greatest `need` of all of them."""
     return max([0, *[need(car, other) for other in others]])

@@ -5,18 +5,23 @@ from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.collisions import LANE_WIDTH, Step, struck_beside
 from c2s_engine.write.typed.course import Course
+from c2s_engine.write.typed.passing import BESIDE, NARROW
 from c2s_engine.write.typed.tables import is_static, is_vehicle, is_walker
 from c2s_engine.write.typed.threats import every, members
 
 SLIDING = {"snow": 3.0, "rain": 4.5, "heavy_rain": 4.0, "wet": 4.5}
 """m/s2 at which one slows down that slides, by the weather; else `DRY`."""
 DRY = 6.0
-PARTLY = 2.4
+PARTLY = 1.8
 """m by which one that slides into the next lane ends beside the middle of its own."""
 RECOVERS = "for 1.2 seconds"
 ENDS = {"stop", "stationary", "wait"}
 WHERE = {"drift", "swerve", "lane_change", "cut_out", "oncoming"}
 """What says, after the loss of control, where one ends."""
+SWERVES = 2.2
+"""m"""
+CLOSE = 0.4
+"""m that are left to who passes one that swerves then."""
 CAUTION = 0.7
 """The share of its speed at which one goes round what blocks its lane."""
 
@@ -52,17 +57,27 @@ def slides_there(c: Course, p: Phase) -> bool:
     return lost and stands and p.action in WHERE and p.trigger is None
 
 
+def swerves_by(c: Course) -> float:
+    """How far (m) one swerves: on two wheels, where another passes it then, to `CLOSE` of that one."""
+    if c.actor.spec.type not in NARROW:
+        return SWERVES
+    passed = [p for s in (c.actor.structure.ego, *c.actor.structure.objects) for p in getattr(s.spec, "phases", ())]
+    by = any(p.action == "overtake" and p.target == c.actor.cid for p in passed)
+    return BESIDE - CLOSE if by else SWERVES
+
+
 def goes_round(c: Course, p: Phase) -> list[Step]:
     """Out as far as the target takes, past it, past those who are met there, and back."""
     s, target = c.actor.structure, str(p.target)
     side = {"left": ", 1", "right": ", -1", None: ""}[p.side]
     aside = f"lambda: way_round(self, line, [{every(s, target)}]{side})"
     slower = c.speed if p.speed is not None or _small(c, target) else scope.number(CAUTION * c.value)
-    past = [f"lead_on(self, {one}) > self.length" for one in members(s, target)]
-    for met in _met(s) if p.side != "right" else []:
-        past.append(f"(passed({met}, self, 0) or (distance from self to {met}) > 12 * self.speed)")
-    out = c.drive(slower, 4, aside, 2.5)
-    return [([out], f"until {' and '.join(past)}"), ([c.drive()], "for 3 seconds")]
+    past = " and ".join(f"lead_on({one}, self) < -self.length" for one in members(s, target))
+    found = [([c.drive(slower, 4, aside, 2.5)], f"until {past}")]
+    if p.side == "left" and (met := _met(s)):  # they make way for it
+        stays = c.drive(slower, 4, scope.number(0.8 * LANE_WIDTH))
+        found.append(([stays], f"until {' and '.join(f'passed({one}, self, 0)' for one in met)}"))
+    return [*found, ([c.drive()], "for 3 seconds")]
 
 
 def _small(c: Course, cid: str) -> bool:

@@ -88,6 +88,8 @@ def _of_object(structure: Structure, plan: Plan, cid: str, o: ObjectSpec) -> lis
         return [f"{one}.speed < {scope.number(goal + 0.7)}" if goal else observed(structure, one, cid, last.action)]
     if last.action == "overtake" and not last.abandoned:
         return _back(structure, plan, cid, o, last.target or "ego")
+    if last.action == "leave_road":
+        return [f"{one}._lane is None"]
     return Unknown
 
 
@@ -95,7 +97,7 @@ def _back(structure: Structure, plan: Plan, cid: str, spec: EgoSpec | ObjectSpec
     """That one who overtakes is ahead of the other, and back in its lane where both were in one; who came towards ego
     is met then."""
     one, other = scope.reference(structure, cid), scope.reference(structure, whom)
-    found = [f"lead_on({one}, {other}) > 8"]
+    found = [f"lead_on({other}, {one}) < -8"]
     lane = LANE_NAME.get(plan.lane_of.get(cid, 0) if cid != "E" else 0)  # type: ignore[arg-type]
     both = plan.lane_of.get(whom, 0) == plan.lane_of.get(cid, 0)
     if comes := isinstance(spec, ObjectSpec) and _from_ahead(structure, cid):

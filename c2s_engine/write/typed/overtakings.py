@@ -6,13 +6,15 @@ from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.collisions import LANE_WIDTH, Step
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.lanes import leaves_lane
-from c2s_engine.write.typed.passing import AHEAD, ASIDE, FASTER, NARROW, pull_out, sideways
+from c2s_engine.write.typed.passing import AHEAD, ASIDE, NARROW, faster, pull_out, sideways
 from c2s_engine.write.typed.tables import LANE_NAME, is_static, is_vehicle
 from c2s_engine.write.typed.threats import hits_ego, is_hit, members
 
 INSIDE = 2.3
 """m that riders keep aside from the middle of a car's lane where they pass it on the inside."""
 BACK = "for 4 seconds"
+WARY = 3.0
+"""m/s: so much as if it came nearer faster one slows down sooner who has to wait first."""
 HEADWAY = 1.2
 """s behind whom one waits to overtake."""
 BREAKS_OFF = {"brake", "swerve", "collide", "stop", "leave_road", "lane_change"}
@@ -21,7 +23,7 @@ BREAKS_OFF = {"brake", "swerve", "collide", "stop", "leave_road", "lane_change"}
 
 def overtakes(c: Course, p: Phase) -> list[Step]:
     """The steps out, past the other (all of them where they are several) and back."""
-    c.set(c.wanted(p, max(c.value, c.target_speed(p) + FASTER)))
+    c.set(_top(c, p))
     scrapes = _scrapes(c, p)  # it comes back too early
     past = " and ".join(f"lead_on(self, {one}) > {-6 if scrapes else _ahead(c, p)}" for one in _whom(c, p))
     if not (c.oncoming_both(p) or c.same_lane(p) and c.lane is not None):
@@ -46,11 +48,15 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
 
 def pulls_out(c: Course, p: Phase) -> str:
     """The condition under which it is time to pull out behind whom it overtakes."""
-    return f"until gap(self, {nearest(c, p)}) < {scope.number(pull_out(max(_top(c, p) - c.target_speed(p), FASTER)))}"
+    closing = max(_top(c, p) - c.target_speed(p), faster(c.other(p.target)))
+    if _waits(c, p):
+        closing += WARY
+    return f"until gap(self, {nearest(c, p)}) < {scope.number(pull_out(closing))}"
 
 
 def _top(c: Course, p: Phase) -> float:
-    return c.wanted(p, max(c.value, c.target_speed(p) + FASTER))
+    """The speed (m/s) at which it overtakes."""
+    return c.wanted(p, max(c.value, c.target_speed(p) + faster(c.other(p.target))))
 
 
 def _ahead(c: Course, p: Phase) -> str:

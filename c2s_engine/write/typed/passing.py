@@ -12,8 +12,9 @@ from c2s_engine.write.typed.usual import speed_of
 
 SLOW = 0.6
 """The speed of one that is overtaken, as a share of who overtakes it, where nothing says how fast it is."""
-FASTER = 5.0
-"""m/s by which one overtakes at least."""
+FASTER = {"bicycle": 3.0, "motorcycle": 4.0}
+"""m/s by which one overtakes at least, by who is overtaken; else `MUCH`."""
+MUCH = 5.0
 UNDISTURBED = 3.0
 """s for which both drive on before one pulls out."""
 ASIDE = 2.2
@@ -90,6 +91,11 @@ def pull_out(closing: float) -> float:
     return ROOM + ASIDE * closing
 
 
+def faster(whom: ObjectSpec | EgoSpec | None) -> float:
+    """By how much (m/s) one is faster at least who overtakes somebody."""
+    return FASTER.get(whom.type, MUCH) if whom is not None else MUCH
+
+
 def sideways(whom: ObjectSpec | EgoSpec | None) -> float:
     """How far (m) to the side one passes whom it does not change lanes for."""
     if whom is None or whom.type not in NARROW:
@@ -119,7 +125,7 @@ def overtakings(structure: Structure, place: PlaceSpec) -> Iterator[Overtaking]:
         if phase.trigger is not None and phase.trigger.kind == "time" and phase.trigger.value is not None:
             begins = middle(phase.trigger.value)
         start, slow = middle(speed_of(spec, place)), middle(speed_of(other, place))
-        speed = middle(phase.speed) if phase.speed is not None else max(start, slow + FASTER)
+        speed = middle(phase.speed) if phase.speed is not None else max(start, slow + faster(other))
         yield Overtaking(component.id, whom, phase, start, speed, slow, LENGTH[spec.type] + LENGTH[other.type], begins)
 
 
@@ -136,9 +142,10 @@ def passing(structure: Structure, place: PlaceSpec) -> Structure:
 
 def _slower(structure: Structure, place: PlaceSpec, one: Overtaking) -> Structure:
     """Who is overtaken is clearly slower: it where its speed is open, else who overtakes it is faster."""
-    if one.phase.speed is None and one.start - one.other >= FASTER:
-        return structure
     slow, fast = structure[one.whom if one.whom != "ego" else "E"], structure[one.who]
+    least = faster(slow.spec)  # type: ignore[arg-type]
+    if one.phase.speed is None and one.start - one.other >= least:
+        return structure
     if getattr(slow.spec, "speed", None) is None and one.whom != "ego" and not _states_speed(slow.spec):
         start = one.start
         own = structure.ego.spec
@@ -146,9 +153,9 @@ def _slower(structure: Structure, place: PlaceSpec, one: Overtaking) -> Structur
         if oncoming and getattr(fast.spec, "speed", None) is None:  # as fast as one drives there
             start = max(start, middle(speed_of(own, place)))  # type: ignore[arg-type]
             structure = _with(structure, one.who, speed=round(start, 1))
-        return _with(structure, one.whom, speed=round(SLOW * max(start, 2.5 * FASTER), 1))
+        return _with(structure, one.whom, speed=round(min(SLOW * start, one.other), 1))
     if getattr(fast.spec, "speed", None) is None and not _states_speed(fast.spec):
-        return _with(structure, one.who, speed=round(one.other + FASTER, 1))
+        return _with(structure, one.who, speed=round(one.other + least, 1))
     return structure
 
 

@@ -4,6 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor
+from c2s_engine.write.typed.evasion import grip
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, is_static
@@ -25,6 +26,9 @@ HARD = "lambda: max(4.5, min(9, 1.1 * {force}))"
 """m/s2: how hard drivers brake for who forces them to: a little more than it takes."""
 STOOD = "self.speed < 0.2 and {force} <= {limit}"
 """What ends the braking of one that is to come to a stand: the need of it must be over, too."""
+FULL = {"wet": 7.0, "rain": 7.0, "heavy_rain": 6.0, "snow": 4.0}
+"""m/s2 of an emergency braking, by the weather; else `DRY`."""
+DRY = 8.0
 STILL = 3
 """m/s at which ego still is when it reaches whom it brakes for too late."""
 
@@ -47,7 +51,7 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     if hit or strikers and (spec.react_to in strikers or len(strikers) == len(cids)):  # it brakes, but too late
         return _too_late(actor, statements, cids, hit, spec.hard)
     cids = [c for c in cids if c not in strikers]
-    threats = [every(actor.structure, spec.react_to)] if spec.react_to else once_seen(actor.structure, cids)
+    threats = once_seen(actor.structure, [spec.react_to] if spec.react_to else cids)
     limit, rate = (4, HARD) if spec.hard else (3, SOFT)
     forced = {p.action for p in spec.phases if p.trigger is None}
     if "swerve" in forced:  # it gets past first
@@ -57,8 +61,9 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     on_foot = [c for c in threats_on_foot(actor.structure) if spec.react_to in (None, c)]
     stands = is_stopped(spec)
     stops_for = {p.target for p in spec.phases if p.action == "stop"}
+    full = grip(actor.structure, FULL, DRY) if spec.hard and not stands else 0
     if not on_foot:
-        return _around(statements, threats, limit, rate, stands=stands)
+        return _around(statements, threats, limit, rate, stands=stands, full=full)
     others = [] if spec.react_to else once_seen(actor.structure, [c for c in cids if c not in on_foot])
     before_them = stands and not stops_for.isdisjoint({None, *on_foot})
     return [
@@ -185,20 +190,27 @@ def _around(
     release: float = 0,
     when: str = "",
     stands: bool = False,
+    full: float = 0,
 ) -> list[str]:
     """The statements, interrupted by braking at `rate` when the need (m/s2) for one of the threats is over `limit`,
-    until it is no more than `release`, or to a stand; `when`: a condition of that, with its `and`."""
+    until it is no more than `release`, or to a stand; `when`: a condition of that, with its `and`. `full` (m/s2): to a
+    stand with all that the road holds, until the cause is gone."""
     head, rest = statements[:1], statements[1:]
     if not threats:
         return [*head, "try:", *(f"    {s}" for s in rest)]
     force = _force(threats)
     over = STOOD.format(force=force, limit=limit) if stands else f"{force} <= {scope.number(release)}"
+    brakes = [f"do Drive(line, 0, rate={rate.format(force=force)}) until {over}"]
+    if full:
+        clear = f"{force} <= 0 and not blocked(self, [{', '.join(threats)}])"
+        stood = ["do Drive(line, 0) for 1 seconds", f"do Drive(line, 0) until {clear}"]
+        brakes = [f"do Drive(line, 0, rate={scope.number(full)}) until self.speed < 0.2", *stood]
     return [
         *head,
         "try:",
         *(f"    {s}" for s in rest),
         f"interrupt when {when}{force} > {scope.number(limit)}:",
-        f"    do Drive(line, 0, rate={rate.format(force=force)}) until {over}",
+        *(f"    {s}" for s in brakes),
     ]
 
 

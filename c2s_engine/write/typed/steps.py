@@ -15,7 +15,7 @@ from c2s_engine.write.typed.collisions import (
     struck_beside,
 )
 from c2s_engine.write.typed.course import Course
-from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_there
+from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_there, swerves_by
 from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.tables import LANE_NAME, MOVES_OFF_ROAD, RAMP
 from c2s_engine.write.typed.towards import ending, yields
@@ -196,9 +196,9 @@ def _swerve(c: Course, p: Phase) -> list[Step]:
         return into
     if c.actor.is_ego and p.target is not None and not hit_next(c, p):
         return goes_round(c, p)
-    found = _sideways(c, p, 2.2, 2.5, 2.5)
+    found = _sideways(c, p, swerves_by(c), 2.5, 2.5)
     if getattr(c.actor.spec, "reaction", "") == "brake" and p.speed is None and p.trigger is None:  # both at once
-        slower = c.drive(scope.number(0.4 * c.value), 6, scope.number(_side(p, 1) * 2.2), 2.5)
+        slower = c.drive(scope.number(0.4 * c.value), 6, scope.number(_side(p, 1) * swerves_by(c)), 2.5)
         return [([slower], found[0][1]), *found[1:]]
     return found
 

@@ -8,6 +8,8 @@ from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.tables import HALF_LANE, is_static, is_walker
 
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
+FOG = 65
+"""m that one sees in the fog: at motorway speeds just enough to stop."""
 CALM = {"follow", "keep_lane", "go_straight", "turn_left", "turn_right", "move_along", "brake"}
 """What ego does before it is to stop while nothing forces it to."""
 
@@ -79,12 +81,32 @@ def in_sight(structure: Structure, cid: str) -> str:
 
 
 def once_seen(structure: Structure, cids: list[str]) -> list[str]:
-    """References to objects, each only from when ego can see it."""
+    """References to objects, each only from when ego can see that it is in its way."""
     found = []
     for cid in cids:
         name, condition = every(structure, cid), shown(structure, cid)
-        found.append(f"*([{name}] if {condition} else [])" if condition else in_sight(structure, cid))
+        if condition:
+            found.append(f"*([{name}] if {condition} else [])")
+        elif _may_stop(structure, cid):
+            found.append(f"*noticed(self, [{name}], could_stop)")
+        elif fog := in_fog(structure):
+            found.append(f"*noticed(self, [{name}], lambda it: gap(self, it) > {fog})")
+        else:
+            found.append(in_sight(structure, cid))
     return found
+
+
+def _may_stop(structure: Structure, cid: str) -> bool:
+    """Whether somebody comes by a crossing road, and as long as it can still stop before the junction is no threat."""
+    spec = structure[cid].spec
+    crossing = isinstance(spec, ObjectSpec) and spec.placement.position in ("crossing_left", "crossing_right")
+    place = getattr(structure.place.spec, "kind", "")
+    return crossing and not is_walker(spec.type) and place != "roundabout"  # type: ignore[union-attr]
+
+
+def in_fog(structure: Structure) -> int:
+    """How far (m) one sees in the weather of S; 0: as far as it takes."""
+    return FOG if "fog" in getattr(structure.settings.spec, "weather", ()) else 0
 
 
 def on_foot(structure: Structure) -> list[str]:

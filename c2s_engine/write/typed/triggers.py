@@ -12,6 +12,8 @@ from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, s
 from c2s_engine.write.typed.towards import before_standing, opposite_standing
 from c2s_engine.write.typed.usual import speed_of
 
+ASIDE = 1.0
+"""m from the middle of its lane at which one is seen to leave it."""
 FORCED = {"brake", "stop", "swerve", "lane_change"}
 DELAYED = {
     "brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road",
@@ -123,8 +125,13 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
         return f"{other}._intersection is not None"
     if action == "cut_in":
         return f"place.lane.centerline.distanceTo({other}.position) < {HALF_LANE}"
-    if action in ("lane_change", "cut_out"):
-        return f"place.lane.centerline.distanceTo({other}.position) > {HALF_LANE}"
+    if action == "overtake":  # it is alongside
+        spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
+        whom = next((p.target for p in getattr(spec, "phases", ()) if p.action == action), None)
+        return f"lead_on({other}, {scope.reference(structure, whom or 'ego')}) > -3.5"
+    if action in ("lane_change", "cut_out", "oncoming", "swerve", "drift", "lose_control"):
+        aside = HALF_LANE if action in ("lane_change", "cut_out") else ASIDE
+        return f"place.lane.centerline.distanceTo({other}.position) > {aside}"
     return f"(distance from ego to {other}) < 20"
 
 

@@ -36,6 +36,10 @@ def required(scene: Scene) -> Iterator[Requirement]:
                              f"{low(phase.gap):g} m to {scene.named(_whom(scene, actor, phase))}.",
                              other=_whom(scene, actor, phase), of=of, least=low(phase.gap),
                              most=high(phase.gap))  # fmt: skip
+        trigger = phase.trigger
+        if trigger is not None and trigger.kind == "action" and trigger.action == "overtake" and trigger.of is not None:
+            yield scene.make("order", "alongside", actor, f"{path}.awaits", f"{name}: {phase.action.replace('_', ' ')} "
+                             f"while {scene.named(trigger.of)} overtakes it.", other=trigger.of, of=of)  # fmt: skip
         if phase.action == "lose_control" and later <= {"stop", "stationary", "wait", "drift", "lane_change"}:
             yield scene.make("phase", "slides_to_a_stand", actor, f"{path}.ends", f"{name}: slides to a stand, at an "
                              "angle to its lane.", of=of)  # fmt: skip
@@ -53,9 +57,10 @@ def _in_lane(scene: Scene, actor: str, phase: Phase) -> bool:
         return phase.action == "swerve"
     whom = scene.objects.get(_whom(scene, actor, phase))
     own = scene.objects.get(actor)
-    ways = [o.placement.position for o in (own, whom) if o is not None]
-    clears = whom is not None and any(p.action in ELSEWHERE for p in whom.phases)
-    return all(w in ("ahead", "behind") for w in ways) and not clears
+    both = [o for o in (own, whom) if o is not None]
+    clears = whom is not None and any(p.action in ELSEWHERE[1:] for p in whom.phases)
+    last = both[0] if len(both) == 1 else max(both, key=lambda o: list(scene.objects.values()).index(o))
+    return last.placement.position in ("ahead", "behind") and last.placement.facing != "against" and not clears
 
 
 def _half(motion: Motion) -> float:
@@ -123,6 +128,20 @@ def breaks_off(requirement: Requirement, evidence: Evidence) -> Result:
     return scored(requirement, margin, said, seen, evidence.times[requirement.id])
 
 
+def alongside(requirement: Requirement, evidence: Evidence) -> Result:
+    """The two are side by side, or the one is about to be, when the other acts."""
+    motion, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
+    time = evidence.times.get(str(requirement.values["of"]))
+    if motion is None or other is None or time is None:
+        return unknown(requirement, "side by side", "not reached: it was not seen")
+    at = min(motion.at(time), len(other.x) - 1)
+    sin, cos = np.sin(motion.heading[at]), np.cos(motion.heading[at])
+    ahead = float(-sin * (other.x[at] - motion.x[at]) + cos * (other.y[at] - motion.y[at]))
+    room = (motion.size[0] + other.size[0]) / 2 + bounds()["start"]["abreast"]["value"]
+    return scored(requirement, (room - abs(ahead)) / room, f"within {room:.0f} m lengthwise", f"{abs(ahead):.1f} m",
+                  time, measured=(ahead, -room, room))  # fmt: skip
+
+
 def slides_to_a_stand(requirement: Requirement, evidence: Evidence) -> Result:
     said = "stands at an angle"
     motion, time = evidence.motion(requirement.actor), evidence.times.get(str(requirement.values["of"]))
@@ -146,5 +165,5 @@ def emergency(requirement: Requirement, evidence: Evidence) -> Result:
                   float(motion.time[int((-motion.acceleration).argmax())]), measured=(hardest, limits, 9.8))  # fmt: skip
 
 
-CHECKS = {"comes_back": comes_back, "comes_back_at": comes_back_at, "breaks_off": breaks_off,
+CHECKS = {"comes_back": comes_back, "comes_back_at": comes_back_at, "breaks_off": breaks_off, "alongside": alongside,
           "slides_to_a_stand": slides_to_a_stand, "emergency": emergency}  # fmt: skip

@@ -99,7 +99,7 @@ def _awaited(scene: Scene) -> Iterator[Requirement]:
         ids.setdefault((actor, phase.action), f"{_cid(actor)}.phases.{i}.{phase.action}")
     for actor, i, phase in scene.phases():
         trigger = phase.trigger
-        if trigger is None or trigger.kind != "action" or trigger.of is None or trigger.action is None:
+        if trigger is None or trigger.kind != "action" or trigger.of is None or trigger.action in (None, "overtake"):
             continue
         if (first := ids.get((trigger.of, trigger.action))) is None:
             continue

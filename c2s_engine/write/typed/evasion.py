@@ -20,7 +20,7 @@ WHERE = {"drift", "swerve", "lane_change", "cut_out", "oncoming"}
 """What says, after the loss of control, where one ends."""
 SWERVES = 2.2
 """m"""
-CLOSE = 0.4
+CLOSE = 0.2
 """m that are left to who passes one that swerves then."""
 CAUTION = 0.7
 """The share of its speed at which one goes round what blocks its lane."""

@@ -88,8 +88,10 @@ def _of_object(structure: Structure, plan: Plan, cid: str, o: ObjectSpec) -> lis
         return [f"{one}.speed < {scope.number(goal + 0.7)}" if goal else observed(structure, one, cid, last.action)]
     if last.action == "overtake" and not last.abandoned:
         return _back(structure, plan, cid, o, last.target or "ego")
+    if last.action == "swerve" and any(p.action == "overtake" and p.target == cid for p in structure.ego.spec.phases):  # type: ignore[union-attr]
+        return []  # it is passed then
     if last.action == "leave_road":
-        return [f"{one}._lane is None"]
+        return [f"not network.drivableRegion.containsPoint({one}.position)"]
     return Unknown
 
 

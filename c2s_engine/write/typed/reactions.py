@@ -43,9 +43,9 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     if spec.reaction == "yield" and cids:  # whom it let pass may then be ahead
         moving = [c for c in cids if not is_static(actor.structure[c].spec)]  # type: ignore[arg-type]
         return _around(statements, once_seen(actor.structure, moving), 3, SOFT) if moving else statements
-    round_it = {p.target for p in spec.phases if p.action == "overtake" and _stands(actor.structure, p.target)}
+    round_it = {p.target for p in spec.phases if p.action == "overtake" and not _slows(actor.structure, p.target)}
     cids = [c for c in cids if c not in round_it]  # ego drives past these
-    if spec.reaction != "brake" or not cids or spec.react_to in round_it:
+    if spec.reaction != "brake" or not cids or spec.react_to in {c for c in round_it if _stands(actor.structure, c)}:
         return statements
     strikers = [] if hit else _strikers(actor.structure, cids)
     if hit or strikers and (spec.react_to in strikers or len(strikers) == len(cids)):  # it brakes, but too late
@@ -70,6 +70,12 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
         *_around(statements, others, limit, rate, stands=stands),
         *_stop_for(actor, on_foot, spec.hard, before_them),
     ]
+
+
+def _slows(structure: Structure, cid: str | None) -> bool:
+    """Whether an object slows down of its own accord."""
+    spec = structure[cid].spec if cid and cid in structure else None
+    return isinstance(spec, ObjectSpec) and bool({"brake", "stop"} & {p.action for p in spec.phases})
 
 
 def _stands(structure: Structure, cid: str | None) -> bool:

@@ -10,7 +10,7 @@ from c2s_engine.write.typed.overtakings import pulls_out
 from c2s_engine.write.typed.tables import HALF_LANE, LENGTH, WORKS, is_static
 from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, standing, threatening
 from c2s_engine.write.typed.towards import before_standing, opposite_standing
-from c2s_engine.write.typed.usual import speed_of
+from c2s_engine.write.typed.usual import crosses, speed_of
 
 ASIDE = 1.0
 """m from the middle of its lane at which one is seen to leave it."""
@@ -55,6 +55,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     if a.is_ego and phase.action in FORCED and not _stood(a, phase) and _confronted(course, phase):
         cid = phase.target or getattr(a.spec, "react_to", None) or standing(a.structure, a.plan.lane_of)
         hard = getattr(a.spec, "hard", False) or (phase.rate is not None and middle(phase.rate) >= 4)
+        if phase.action in ("swerve", "lane_change") and cid and (spec := course.other(cid)) and crosses(spec):
+            return f"until {a.ref(cid)}.speed > 0.3"  # it sets out
         limit = 1.2 if phase.action in ("swerve", "lane_change") else 4 if hard else 2
         seen = shown(a.structure, cid) if cid else ""
         met = any(p.action == "collide" for p in a.spec.phases)
@@ -128,7 +130,7 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
     if action == "overtake":  # it is alongside
         spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
         whom = next((p.target for p in getattr(spec, "phases", ()) if p.action == action), None)
-        return f"lead_on({other}, {scope.reference(structure, whom or 'ego')}) > -3.5"
+        return f"lead_on({other}, {scope.reference(structure, whom or 'ego')}) > -5"
     if action in ("lane_change", "cut_out", "oncoming", "swerve", "drift", "lose_control"):
         aside = HALF_LANE if action in ("lane_change", "cut_out") else ASIDE
         return f"place.lane.centerline.distanceTo({other}.position) > {aside}"

@@ -1,4 +1,4 @@
-"""How what leads out of the lane ends: back in it with the stated gap, broken off, in a slide; and emergency braking."""
+"""How what leads out of the lane ends: back in it with the stated gap, broken off, in a slide; emergency braking."""
 
 from collections.abc import Iterator
 
@@ -162,7 +162,7 @@ def emergency(requirement: Requirement, evidence: Evidence) -> Result:
         return unknown(requirement, said, "not reached: ego is not there")
     hardest = float((-motion.acceleration).max())
     return scored(requirement, (hardest - limits) / limits, said, f"{hardest:.1f} m/s2",
-                  float(motion.time[int((-motion.acceleration).argmax())]), measured=(hardest, limits, 9.8))  # fmt: skip
+                  float(motion.time[int(motion.acceleration.argmin())]), measured=(hardest, limits, 9.8))  # fmt: skip
 
 
 CHECKS = {"comes_back": comes_back, "comes_back_at": comes_back_at, "breaks_off": breaks_off, "alongside": alongside,

@@ -82,6 +82,16 @@ def slow_ego(profile, start=6.0, speed=1.5, s=245.0):
 
 wait_then_go = np.concatenate([ramp(10, 0, 5, 4, 60), ramp(0, 8, 60, 2, 141)])
 
+def slid(turn):
+    """A car that moves along its lane turned by so many rad."""
+
+    def make(t):
+        lane = t.lane(43, 1)
+        return [ego(t), t.ride("a", lane, 300, 8.0, heading=t.index.lanes[lane].heading_at(300) + turn)]
+
+    return make
+
+
 CASES = {
     "stationary": (one(0.0), one(np.where(np.arange(STEPS) < 8, 1.0, 0.0))),
     "keep_lane": (one(10.0), near(300, slide(0, 3.75, 50, 3))),
@@ -99,6 +109,7 @@ CASES = {
     "cut_out": (near(230, slide(0, 3.75, 50, 3)), near(170, slide(0, 3.75, 50, 3))),
     "overtake": (near(180, 3.75, 18.0), near(180, 3.75, 16.0)),
     "swerve": (near(300, sides((50, 0), (70, 1.3), (100, 0))), near(300, sides((50, 0), (70, 0.9), (100, 0)))),
+    "skid": (slid(0.3), slid(0.15)),
     "drift": (near(300, slide(0, 3.75, 50, 6)), near(300, slide(0, 3.75, 50, 2))),
     "cross_path": (meets(-60.0), lambda t: meets(-150.0)(t)),
     "passes_first": (meets(-15.0), meets(-60.0)),

@@ -90,4 +90,3 @@ def _met(structure: Structure) -> list[str]:
     objects = [(o.id, o.spec) for o in structure.objects if isinstance(o.spec, ObjectSpec)]
     coming = [i for i, o in objects if o.placement.position == "oncoming_lane" and is_vehicle(o.type)]
     return [scope.reference(structure, i) for i in coming if not is_static(structure[i].spec)]  # type: ignore[arg-type]
-

@@ -3,9 +3,9 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.write.typed.facing import facing
 from c2s_engine.write.typed.hiding import standing
 from c2s_engine.write.typed.lanes import pulls_out
-from c2s_engine.write.typed.facing import facing
 from c2s_engine.write.typed.passing import passing
 from c2s_engine.write.typed.pockets import own_ways
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, OBSTRUCTING, TURN, is_static, is_vehicle

@@ -3,7 +3,7 @@
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
-from c2s_engine.write.typed.collisions import LANE_WIDTH, Step
+from c2s_engine.write.typed.collisions import Step
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.lanes import leaves_lane
 from c2s_engine.write.typed.passing import AHEAD, ASIDE, NARROW, faster, pull_out, sideways

@@ -472,14 +472,15 @@ monitor OnceSeen(conditions, held=1, seconds=1.5):
 # How one stands to another
 
 def need(car, other):
-    """The deceleration (m/s2) that keeps `car` from reaching `other`, if both go on as they do; 0: no conflict."""
+    """The deceleration (m/s2) that keeps `car` from reaching `other`, if both go on as they do; 0: no conflict, or one
+    that crosses can still stop at its line."""
     place = (other.position - car.position).rotatedBy(-car.heading)
     motion = other.velocity.rotatedBy(-car.heading)
     across = abs(math.sin(other.heading - car.heading))
     gap = place.y - (car.length + other.width * across + other.length * (1 - across)) / 2
     reach = (car.width + other.length * across + other.width * (1 - across)) / 2 + 0.8
     closing = car.speed - motion.y
-    if place.y <= 0:
+    if place.y <= 0 or across > 0.5 and getattr(other, 'isVehicle', False) and could_stop(other):
         return 0
     if gap < 8 and car.speed < 2 and motion.y < 1 and abs(place.x) < reach:
         return 9
@@ -508,13 +509,17 @@ def in_view(car, others, hiders):
     """Those of the others whom none of the hiders has hidden from `car` for `REACTION_TIME`."""
     return noticed(car, others, lambda other: any(hides(it, car.position, other.position) for it in hiders))
 
-def could_stop(car, rate=6):
-    """Whether a car can still come to a stand before the stop line of its lane, braking at `rate` (m/s2): nobody can
-    see yet that it will not."""
+def in_fog(car, others, sight):
+    """Those of the others who have been within sight (m) of `car` for `REACTION_TIME`."""
+    return noticed(car, others, lambda other: gap(car, other) > sight)
+
+def could_stop(car, rate=7):
+    """Whether a vehicle on its way to a junction can still come to a stand before its line, braking at `rate` (m/s2):
+    nobody can see yet that it will not."""
     lane = car._lane
     if lane is None or car._intersection or not any(m.intersection for m in lane.maneuvers):
-        return not car._intersection
-    return to_line(car, lane) > car.speed ** 2 / (2 * rate) - 1
+        return False
+    return to_line(car, lane) > car.speed ** 2 / (2 * rate)
 
 def hides(thing, eye, spot):
     """Whether the line of sight to a spot goes through a thing, seen from above."""
@@ -576,6 +581,7 @@ def up_to(rest, speed, rate=2.5):
     (m/s2)."""
     return min(speed, math.sqrt(2 * rate * max(rest, 0)))
 
+@functools.lru_cache(maxsize=64)
 def stop_line(lane):
     """How far along a lane (m) its stop line lies: before the crosswalk at its end, if there is one."""
     line, end = lane.centerline.lineString, lane.centerline.length

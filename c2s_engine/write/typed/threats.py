@@ -87,21 +87,11 @@ def once_seen(structure: Structure, cids: list[str]) -> list[str]:
         name, condition = every(structure, cid), shown(structure, cid)
         if condition:
             found.append(f"*([{name}] if {condition} else [])")
-        elif _may_stop(structure, cid):
-            found.append(f"*noticed(self, [{name}], could_stop)")
         elif fog := in_fog(structure):
-            found.append(f"*noticed(self, [{name}], lambda it: gap(self, it) > {fog})")
+            found.append(f"*in_fog(self, [{name}], {fog})")
         else:
             found.append(in_sight(structure, cid))
     return found
-
-
-def _may_stop(structure: Structure, cid: str) -> bool:
-    """Whether somebody comes by a crossing road, and as long as it can still stop before the junction is no threat."""
-    spec = structure[cid].spec
-    crossing = isinstance(spec, ObjectSpec) and spec.placement.position in ("crossing_left", "crossing_right")
-    place = getattr(structure.place.spec, "kind", "")
-    return crossing and not is_walker(spec.type) and place != "roundabout"  # type: ignore[union-attr]
 
 
 def in_fog(structure: Structure) -> int:

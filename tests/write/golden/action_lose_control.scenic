@@ -31,8 +31,7 @@ behavior SliderBehavior():
     line = way(place.lane)
     take SetSpeedAction(SLIDER_SPEED)
     do Drive(line, SLIDER_SPEED) for 3 seconds
-    do Drive(line, SLIDER_SPEED, offset=-2, shift=4) for 1.5 seconds
-    do Drive(line, SLIDER_SPEED)
+    do Skid(line, -1.8, 6)
 
 slider = new Car at place.lane.centerline.pointAlongBy(SLIDER_AT),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),

@@ -30,9 +30,9 @@ PASSER_AT = EGO_AT - 20 - 5  # m along the lane
 behavior PasserBehavior():
     line = way(place.lane)
     take SetSpeedAction(PASSER_SPEED)
-    do Drive(line, PASSER_SPEED) until (distance from self to ego) < 10 + 1.6 * self.speed
+    do Drive(line, PASSER_SPEED) until gap(self, ego) < 25.6
     line = way(place.left_lane)
-    do Drive(line, lambda: gain(self, ego, PASSER_SPEED), rate=5) until lead_on(self, ego) > 12 + self.length
+    do Drive(line, PASSER_SPEED) until lead_on(self, ego) > 10 + self.length
     line = way(place.lane)
     do Drive(line, PASSER_SPEED)
 
@@ -42,6 +42,6 @@ passer = new Car at place.lane.centerline.pointAlongBy(PASSER_AT),
 
 ## T
 require monitor OnceSeen([
-    lambda: lead_on(passer, ego) > 8,
+    lambda: lead_on(ego, passer) < -8 and place.lane.centerline.distanceTo(passer.position) < 0.7,
 ])
 terminate after 20 seconds

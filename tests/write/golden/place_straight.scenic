@@ -8,7 +8,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(straight=True, length=325, oncoming=True))
+place = Uniform(*stretches(straight=True, length=325, oncoming=True, lanes=1))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E

@@ -24,11 +24,12 @@ def required(scene: Scene) -> Iterator[Requirement]:
         path, name = f"phases.{i}", scene.named(actor)
         cid = "E" if actor == EGO else actor
         of = f"{cid}.{path}.{phase.action}"
+        left = _left(scene, actor, i)
         later = {p.action for p in scene.actors[actor].phases[i + 1 :]}
         if phase.action == "overtake" and phase.abandoned:
             yield scene.make("phase", "breaks_off", actor, f"{path}.abandoned", f"{name}: pulls out to overtake and "
                              "drops back behind.", other=_whom(scene, actor, phase))  # fmt: skip
-        elif phase.action in COMES_BACK and not later & set(ELSEWHERE) and _in_lane(scene, actor, phase):
+        elif phase.action in COMES_BACK and not (later | left) & set(ELSEWHERE) and _in_lane(scene, actor, phase):
             yield scene.make("phase", "comes_back", actor, f"{path}.back", f"{name}: {phase.action} ends in its own "
                              "lane.", of=of)  # fmt: skip
         if phase.action == "overtake" and phase.gap is not None and not phase.abandoned:
@@ -40,11 +41,16 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if trigger is not None and trigger.kind == "action" and trigger.action == "overtake" and trigger.of is not None:
             yield scene.make("order", "alongside", actor, f"{path}.awaits", f"{name}: {phase.action.replace('_', ' ')} "
                              f"while {scene.named(trigger.of)} overtakes it.", other=trigger.of, of=of)  # fmt: skip
-        if phase.action == "lose_control" and later <= {"stop", "stationary", "wait", "drift", "lane_change"}:
+        if phase.action == "lose_control" and later & {"stop", "stationary", "wait"}:
             yield scene.make("phase", "slides_to_a_stand", actor, f"{path}.ends", f"{name}: slides to a stand, at an "
                              "angle to its lane.", of=of)  # fmt: skip
     if scene.ego.reaction == "brake" and scene.ego.hard:
         yield scene.make("reaction", "emergency", EGO, "hard", "Ego brakes as hard as in an emergency.")
+
+
+def _left(scene: Scene, actor: str, i: int) -> set[str]:
+    """What it did before its i-th phase, but for a change of lane by which it pulls out."""
+    return {p.action for p in scene.actors[actor].phases[:i]} - {"overtake", "swerve"}
 
 
 def _whom(scene: Scene, actor: str, phase: Phase) -> str:

@@ -110,7 +110,7 @@ class Course:
     def onto(self, step: int) -> str:
         """The statement that makes the lane `step` lanes to the left the line to follow (the other way if none)."""
         plan = self.actor.plan
-        self.aside = ""
+        self.aside = self.behind = ""
         if self.lane is None:  # from a ramp, the kerb or a parking lane onto ego's lane
             self.lane = 0
         else:

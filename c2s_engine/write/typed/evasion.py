@@ -44,8 +44,9 @@ def loses_control(c: Course, p: Phase) -> list[Step]:
         metres = metres / PARTLY * LANE_WIDTH
     rate = grip(c.actor.structure, SLIDING, DRY)
     slides = f"do Skid(line, {scope.number(metres)}, {scope.number(rate)})"
-    rest = [q for q in later if q.action not in ENDS | WHERE]
-    return [([slides], RECOVERS if rest else "until self.speed < 0.2")]
+    if any(q.action in ENDS for q in later):
+        return [([slides], "until self.speed < 0.2")]
+    return [([slides], RECOVERS), ([c.drive()], "for 2 seconds")]
 
 
 def slides_there(c: Course, p: Phase) -> bool:
@@ -53,7 +54,7 @@ def slides_there(c: Course, p: Phase) -> bool:
     phases = c.actor.spec.phases
     before = phases[: phases.index(p)] if p in phases else ()
     lost = any(q.action == "lose_control" for q in before)
-    stands = all(q.action in ENDS | WHERE for q in phases[phases.index(p) :]) if p in phases else False
+    stands = p in phases and any(q.action in ENDS for q in phases[phases.index(p) :])
     return lost and stands and p.action in WHERE and p.trigger is None
 
 

@@ -3,7 +3,7 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
-from c2s_engine.write.typed.passing import ASIDE, LANE_WIDTH, UNDISTURBED, Overtaking, overtakings
+from c2s_engine.write.typed.passing import ASIDE, CALM, LANE_WIDTH, UNDISTURBED, Overtaking, overtakings
 from c2s_engine.write.typed.tables import JUNCTION, LENGTH, RAMP, is_static, is_vehicle
 from c2s_engine.write.typed.usual import speed_of
 
@@ -22,6 +22,9 @@ OVERLAP = {True: 0.2, False: -0.4}
 DRIFTS = 0.7
 """m/s sideways"""
 OUT = {"swerve", "oncoming", "lane_change"}
+ONTO = {"drift", "oncoming", "swerve", "lose_control"}
+AHEAD = {"drift": 5.5, "other": 2.8}
+"""s before it is there at which one comes over that comes towards ego."""
 MAKES_WAY = {"leave_road", "swerve", "drift"}
 
 
@@ -48,6 +51,8 @@ def facing(structure: Structure, place: PlaceSpec) -> Structure:
         elif own is not None and narrow and not hit:
             until = own.back + SPARE["ego"] if ego.reaction == "none" else own.begins + MET
             gap = own.travelled(until) + _drives(spec, place) * until
+        elif not hit and (begins := _comes_over(spec)) is not None:
+            gap = (speed + _drives(spec, place)) * (begins + UNDISTURBED)
         elif (meets := _out_until(ego, spec, hit)) is not None:
             gap = (speed + _drives(spec, place)) * meets
         else:
@@ -64,6 +69,15 @@ def _comes(spec: ObjectSpec) -> bool:
     at = spec.placement
     there = at.position == "oncoming_lane" and at.of == "ego" and at.gap is None
     return there and is_vehicle(spec.type) and not is_static(spec)
+
+
+def _comes_over(spec: ObjectSpec) -> float | None:
+    """How long (s) before it is there one begins to come over into ego's lane, who waits for ego to be near; None: it
+    does not."""
+    first = next((p for p in spec.phases if p.action not in CALM), None)
+    if first is None or first.trigger is not None or first.action not in ONTO:
+        return None
+    return AHEAD["drift" if first.action == "drift" else "other"]
 
 
 def _drives(spec: ObjectSpec, place: PlaceSpec) -> float:

@@ -85,7 +85,10 @@ def _of_object(structure: Structure, plan: Plan, cid: str, o: ObjectSpec) -> lis
         return [f"{one}.speed < 0.3", *(["ego.speed < 0.3"] if _stops_behind(structure, plan, cid) else [])]
     if last.action in SEEN or last.action in ("lane_change", "cut_out") and plan.lane_of.get(cid) == 0:
         goal = middle(last.speed) if last.speed is not None and last.action == "brake" else None
-        return [f"{one}.speed < {scope.number(goal + 0.7)}" if goal else observed(structure, one, cid, last.action)]
+        hard = last.action == "brake" and getattr(structure.ego.spec, "hard", False)
+        stops = ["ego.speed < 0.3"] if hard and _stops_behind(structure, plan, cid) else []
+        slower = f"{one}.speed < {scope.number(goal + 0.7)}" if goal else observed(structure, one, cid, last.action)
+        return [slower, *stops]
     if last.action == "overtake" and not last.abandoned:
         return _back(structure, plan, cid, o, last.target or "ego")
     if last.action == "swerve" and any(p.action == "overtake" and p.target == cid for p in structure.ego.spec.phases):  # type: ignore[union-attr]

@@ -1,12 +1,11 @@
 """How one passes another: out of its lane where there is room, by, and back."""
 
-from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.collisions import Step
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.lanes import leaves_lane
-from c2s_engine.write.typed.passing import AHEAD, ASIDE, NARROW, faster, pull_out, sideways
+from c2s_engine.write.typed.passing import NARROW, comes_back, faster, pull_out, sideways
 from c2s_engine.write.typed.tables import LANE_NAME, is_static, is_vehicle
 from c2s_engine.write.typed.threats import hits_ego, is_hit, members
 
@@ -61,10 +60,7 @@ def _top(c: Course, p: Phase) -> float:
 
 def _ahead(c: Course, p: Phase) -> str:
     """How far (m) its middle is ahead of the other's when it comes back."""
-    metres = AHEAD
-    if p.gap is not None:
-        metres = max(middle(p.gap) - (_top(c, p) - c.target_speed(p)) * ASIDE / 2, 0.5)
-    return f"{scope.number(metres)} + self.length"
+    return f"{scope.number(comes_back(p, _top(c, p) - c.target_speed(p)))} + self.length"
 
 
 def _breaks_off(c: Course, p: Phase, out: list[str], back: list[str]) -> list[Step]:

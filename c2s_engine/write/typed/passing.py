@@ -19,6 +19,8 @@ UNDISTURBED = 3.0
 """s for which both drive on before one pulls out."""
 ASIDE = 2.2
 """s in which one gets out of its lane, or back into it."""
+OVER = 1.8
+"""s until one that comes back is over the line."""
 ROOM = 8.0
 """m that are left to the other when one is out."""
 AHEAD = 10.0
@@ -63,8 +65,8 @@ class Overtaking:
 
     @property
     def ahead(self) -> float:
-        """m before the other from which it comes back: so that it is `gap` as it comes over the line."""
-        return max(middle(self.phase.gap) - self.closing * ASIDE / 2, 0.5) if self.phase.gap is not None else AHEAD
+        """m before the other from which it comes back."""
+        return comes_back(self.phase, self.closing)
 
     @property
     def abreast(self) -> float:
@@ -89,6 +91,13 @@ class Overtaking:
 def pull_out(closing: float) -> float:
     """The gap (m) at which one pulls out who comes nearer at so many m/s."""
     return ROOM + ASIDE * closing
+
+
+def comes_back(phase: Phase, closing: float) -> float:
+    """How far (m) before the other one begins to come back: so that it is the stated gap as it comes over the line."""
+    if phase.gap is None:
+        return AHEAD
+    return max(middle(phase.gap) - closing * OVER, -0.3 * closing)
 
 
 def faster(whom: ObjectSpec | EgoSpec | None) -> float:
@@ -210,7 +219,10 @@ def _phases(structure: Structure, place: PlaceSpec) -> Structure:
             continue
         own = lane_offset(component.id, objects) if component.id in objects else 0
         phases: list[Phase] = []
-        for phase in spec.phases:
+        for phase, then in zip(spec.phases, (*spec.phases[1:], None), strict=True):
+            moving = then is not None and then.target in objects and not is_static(objects[then.target])
+            if then is not None and moving and own == _lane_of(then.target, objects) and _pulls_out(phase, then):
+                continue
             if phase.action == "overtake" and own == 0 == _lane_of(phase.target, objects):
                 phases.append(phase if leaves_lane(objects.get(phase.target or "")) else _sided(phase, place))
             elif not (phases and own == _lane_of(phases[-1].target, objects) and _comes_back(phases[-1], phase)):
@@ -231,6 +243,12 @@ def _sided(phase: Phase, place: PlaceSpec) -> Phase:
     if phase.side is not None or place.ego_lane != "leftmost" or place.lanes == 1 or by_oncoming:
         return phase
     return phase.model_copy(update={"side": "right"})
+
+
+def _pulls_out(phase: Phase, then: Phase) -> bool:
+    """Whether a change of lane is no more than the beginning of the overtaking after it."""
+    sided = (phase.side or "left") == (then.side or "left")
+    return then.action == "overtake" and phase.action == "lane_change" and not (phase.trigger or then.trigger) and sided
 
 
 def _comes_back(before: Phase, phase: Phase) -> bool:

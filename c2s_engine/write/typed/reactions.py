@@ -1,6 +1,7 @@
 """Reactions: what drivers do when others force them to, laid around what they do of their own accord."""
 
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor
@@ -62,6 +63,8 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     stands = is_stopped(spec)
     stops_for = {p.target for p in spec.phases if p.action == "stop"}
     full = grip(actor.structure, FULL, DRY) if spec.hard and not stands else 0
+    stated = [middle(p.rate) for p in spec.phases if p.action in ("brake", "stop") and p.rate is not None]
+    full = stated[0] if full and stated else full
     if not on_foot:
         return _around(statements, threats, limit, rate, stands=stands, full=full)
     others = [] if spec.react_to else once_seen(actor.structure, [c for c in cids if c not in on_foot])

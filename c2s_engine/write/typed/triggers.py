@@ -6,6 +6,7 @@ from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.collisions import hit_beside, hit_next
 from c2s_engine.write.typed.course import Actor, Course
+from c2s_engine.write.typed.facing import AHEAD
 from c2s_engine.write.typed.overtakings import pulls_out
 from c2s_engine.write.typed.tables import HALF_LANE, LENGTH, WORKS, is_static
 from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, standing, threatening
@@ -57,7 +58,9 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         hard = getattr(a.spec, "hard", False) or (phase.rate is not None and middle(phase.rate) >= 4)
         if phase.action in ("swerve", "lane_change") and cid and (spec := course.other(cid)) and crosses(spec):
             return f"until {a.ref(cid)}.speed > 0.3"  # it sets out
-        limit = 1.2 if phase.action in ("swerve", "lane_change") else 4 if hard else 2
+        aside = phase.action in ("swerve", "lane_change")
+        stands = cid is not None and (o := course.other(cid)) is not None and is_static(o)
+        limit = (2 if stands else 1.2) if aside else 4 if hard else 2
         seen = shown(a.structure, cid) if cid else ""
         met = any(p.action == "collide" for p in a.spec.phases)
         also = f" or near(self, {a.ref(cid)})" if met else ""
@@ -91,7 +94,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     if not first or phase.action not in DELAYED or a.value <= 0 or hit_beside(course, phase):
         return ""
     if course.oncoming:
-        ahead = 5.5 if phase.action == "drift" else 2.8  # s that it takes to be over
+        ahead = AHEAD["drift" if phase.action == "drift" else "other"]
         return f"until (distance from self to ego) < {scope.number(ahead * (a.value + a.plan.ego_speed))}"
     return "for 3 seconds"
 

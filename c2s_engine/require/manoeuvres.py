@@ -83,6 +83,7 @@ def comes_back(requirement: Requirement, evidence: Evidence) -> Result:
     aside = np.abs(motion.of_course("aside"))
     room = bounds()["phase"]["back"]["value"]
     first = motion.at(time)
+    first += int(np.nan_to_num(aside[first:]).argmax())  # from where it is furthest out
     least = int(aside[first:].argmin()) + first
     near = np.flatnonzero(aside[first:] <= room)
     if len(near):

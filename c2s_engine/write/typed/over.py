@@ -105,7 +105,8 @@ def _back(structure: Structure, plan: Plan, cid: str, spec: EgoSpec | ObjectSpec
     found = [f"lead_on({other}, {one}) < -8"]
     lane = LANE_NAME.get(plan.lane_of.get(cid, 0) if cid != "E" else 0)  # type: ignore[arg-type]
     swerves = not any(p.action == "overtake" for p in spec.phases)
-    both = swerves or plan.lane_of.get(whom, 0) == plan.lane_of.get(cid, 0)
+    moved = any(p.action == "lane_change" for p in spec.phases)
+    both = swerves or not moved and plan.lane_of.get(whom, 0) == plan.lane_of.get(cid, 0)
     if comes := isinstance(spec, ObjectSpec) and _from_ahead(structure, cid):
         lane, both = "place.oncoming_lane", True
     if lane is not None and both and not plan.junction and not plan.turning:

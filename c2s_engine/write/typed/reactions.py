@@ -53,7 +53,7 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
         return _too_late(actor, statements, cids, hit, spec.hard)
     cids = [c for c in cids if c not in strikers]
     threats = once_seen(actor.structure, [spec.react_to] if spec.react_to else cids)
-    limit, rate = (4, HARD) if spec.hard else (3, SOFT)
+    limit, rate = (3.5, HARD) if spec.hard else (2.5, SOFT)
     forced = {p.action for p in spec.phases if p.trigger is None}
     if "swerve" in forced:  # it gets past first
         return _around(statements, threats, 8, HARD)

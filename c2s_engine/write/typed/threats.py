@@ -75,7 +75,7 @@ def in_sight(structure: Structure, cid: str) -> str:
     """The reference to an object, or to all of its members (starred), only while what hides it does not."""
     spec, name = structure[cid].spec, every(structure, cid)
     by = spec.placement.hidden_by if isinstance(spec, ObjectSpec) else None
-    if by is None or by not in structure or spec.placement.position == "ahead":  # type: ignore[union-attr]
+    if by is None or by not in structure:
         return name
     return f"*in_view(self, [{name}], [{every(structure, by)}])"
 
@@ -84,13 +84,8 @@ def once_seen(structure: Structure, cids: list[str]) -> list[str]:
     """References to objects, each only from when ego can see that it is in its way."""
     found = []
     for cid in cids:
-        name, condition = every(structure, cid), shown(structure, cid)
-        if condition:
-            found.append(f"*([{name}] if {condition} else [])")
-        elif fog := in_fog(structure):
-            found.append(f"*in_fog(self, [{name}], {fog})")
-        else:
-            found.append(in_sight(structure, cid))
+        seen, fog = in_sight(structure, cid), in_fog(structure)
+        found.append(f"*in_fog(self, [{seen}], {fog})" if fog else seen)
     return found
 
 

@@ -19,7 +19,7 @@ behavior EgoBehavior():
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when need(self, puller) > 3:
+    interrupt when need(self, puller) > 2.5:
         do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, puller)))) until need(self, puller) <= 0
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),

@@ -31,7 +31,8 @@ behavior SliderBehavior():
     line = way(place.lane)
     take SetSpeedAction(SLIDER_SPEED)
     do Drive(line, SLIDER_SPEED) for 3 seconds
-    do Skid(line, -1.8, 6)
+    do Skid(line, -1.8, 6) for 1.2 seconds
+    do Drive(line, SLIDER_SPEED)
 
 slider = new Car at place.lane.centerline.pointAlongBy(SLIDER_AT),
     with blueprint Uniform('vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala', 'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3'),

@@ -8,7 +8,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(length=375, least=173, ego_lane='leftmost', oncoming=True))
+place = Uniform(*stretches(length=375, least=180, ego_lane='leftmost', oncoming=True))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
@@ -19,7 +19,7 @@ behavior EgoBehavior():
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when need(self, intruder) > 3:
+    interrupt when need(self, intruder) > 2.5:
         do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, intruder)))) until need(self, intruder) <= 0
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
@@ -28,7 +28,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
 
 ## O1
 INTRUDER_SPEED = 12  # m/s
-INTRUDER_AT = EGO_AT + 121 + 5  # m along the lane
+INTRUDER_AT = EGO_AT + 127.6 + 5  # m along the lane
 
 behavior IntruderBehavior():
     line = way(place.oncoming_lane)

@@ -25,7 +25,7 @@ behavior EgoBehavior():
         do Drive(line, 0, rate=3.5) for 1 seconds
         do Drive(line, 0, rate=4) for 1 seconds
         do Drive(line, EGO_SPEED, rate=2)
-    interrupt when need(self, runner) > 3:
+    interrupt when need(self, runner) > 2.5:
         do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, runner)))) until need(self, runner) <= 0
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),

@@ -50,7 +50,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
 
 def _left(scene: Scene, actor: str, i: int) -> set[str]:
     """What it did before its i-th phase, but for a change of lane by which it pulls out."""
-    return {p.action for p in scene.actors[actor].phases[:i]} - {"overtake", "swerve"}
+    before: set[str] = {p.action for p in scene.actors[actor].phases[:i]}
+    return before - {"overtake", "swerve"}
 
 
 def _whom(scene: Scene, actor: str, phase: Phase) -> str:

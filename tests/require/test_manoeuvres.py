@@ -26,8 +26,11 @@ def passer(x: np.ndarray, speed: Any = FAST, events: tuple = PASSES) -> Scene:
 
 
 def skidder(turned: float, last: float) -> Scene:
-    slides = {"x": ramp((0, 0), (3, 0), (5, -1.8), (12, -1.8)), "heading": ramp((0, 0), (3.5, 0), (5, turned), (12, turned)),
-              "speed": ramp((0, 10), (3, 10), (5, last), (12, last))}  # fmt: skip
+    slides = {
+        "x": ramp((0, 0), (3, 0), (5, -1.8), (12, -1.8)),
+        "heading": ramp((0, 0), (3.5, 0), (5, turned), (12, turned)),
+        "speed": ramp((0, 10), (3, 10), (5, last), (12, last)),
+    }
     return Scene([ego(), other(events=(event("skid", 4.0),), **slides)])
 
 
@@ -43,7 +46,8 @@ PASSED = s(RIDER, ego=EgoSpec(phases=(Phase(action="overtake", target="O1"),)))
 
 def swerves_at(y: float) -> Scene:
     aside = {"x": ramp((0, 0), (5, 0), (6, -1.1), (8, 0), (12, 0)), "events": (event("swerve", 7.8),)}
-    return Scene([ego(x=-2.8, speed=FAST, events=PASSES), Actor("other", "O1", y=y, speed=8.0, kind="bicycle", **aside)])
+    rider = Actor("other", "O1", y=y, speed=8.0, kind="bicycle", **aside)
+    return Scene([ego(x=-2.8, speed=FAST, events=PASSES), rider])
 
 
 CASES = {
@@ -73,6 +77,7 @@ def test_who_passes_in_the_next_lane_or_hits_the_other_need_not_come_back() -> N
 
     beside = s(ObjectSpec(placement=Placement(position="left_lane")),
                ego=EgoSpec(phases=(Phase(action="overtake", target="O1"),)))  # fmt: skip
-    hits = s(ObjectSpec(), ego=EgoSpec(phases=(Phase(action="overtake", target="O1"), Phase(action="collide", target="O1"))))
+    phases = (Phase(action="overtake", target="O1"), Phase(action="collide", target="O1"))
+    hits = s(ObjectSpec(), ego=EgoSpec(phases=phases))
     for structure in (beside, hits):
         assert "E.phases.0.back" not in {r.id for r in require(structure)}

@@ -170,7 +170,7 @@ def _slower(structure: Structure, place: PlaceSpec, one: Overtaking) -> Structur
 
 def _states_speed(spec: object) -> bool:
     """Whether its first phase says how fast it drives."""
-    phases = getattr(spec, "phases", ())
+    phases: tuple[Phase, ...] = getattr(spec, "phases", ())
     return bool(phases) and phases[0].action in CALM and phases[0].speed is not None
 
 
@@ -219,7 +219,8 @@ def _phases(structure: Structure, place: PlaceSpec) -> Structure:
             continue
         own = lane_offset(component.id, objects) if component.id in objects else 0
         phases: list[Phase] = []
-        for phase, then in zip(spec.phases, (*spec.phases[1:], None), strict=True):
+        for i, phase in enumerate(spec.phases):
+            then = spec.phases[i + 1] if i + 1 < len(spec.phases) else None
             moving = then is not None and then.target in objects and not is_static(objects[then.target])
             if then is not None and moving and own == _lane_of(then.target, objects) and _pulls_out(phase, then):
                 continue

@@ -59,8 +59,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         if phase.action in ("swerve", "lane_change") and cid and (spec := course.other(cid)) and crosses(spec):
             return f"until {a.ref(cid)}.speed > 0.3"  # it sets out
         aside = phase.action in ("swerve", "lane_change")
-        stands = cid is not None and (o := course.other(cid)) is not None and is_static(o)
-        limit = (2 if stands else 1.2) if aside else 4 if hard else 2
+        still = cid is not None and (o := course.other(cid)) is not None and is_static(o)
+        limit = (2 if still else 1.2) if aside else 4 if hard else 2
         seen = shown(a.structure, cid) if cid else ""
         met = any(p.action == "collide" for p in a.spec.phases)
         also = f" or near(self, {a.ref(cid)})" if met else ""

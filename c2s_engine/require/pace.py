@@ -75,12 +75,14 @@ def _leaves(motion: Motion, time: float) -> float:
 
 
 def _braked(requirement: Requirement, evidence: Evidence) -> list[float]:
-    """When ego's last braking for others is over, where it reacts."""
+    """When ego's last braking for others is over, and when it is back in its lane, where it reacts."""
     ego = evidence.motion(EGO)
     if ego is None or not requirement.values["reacts"]:
         return []
     braking = np.flatnonzero(ego.acceleration < -bounds()["phase"]["change_rate"]["value"])
-    return [float(ego.time[braking[-1]])] if len(braking) else []
+    aside = np.nan_to_num(np.abs(ego.of_course("aside"))) > bounds()["phase"]["back"]["value"]
+    out = np.flatnonzero(aside) if not aside[-1] else []
+    return [float(ego.time[found[-1]]) for found in (braking, out) if len(found)]
 
 
 def first_event(requirement: Requirement, evidence: Evidence) -> Result:

@@ -44,10 +44,11 @@ def facing(structure: Structure, place: PlaceSpec) -> Structure:
             continue
         passed = next((one for one in all_ if one.whom == component.id and one.who not in ("E", component.id)), None)
         hit = any(p.action == "collide" for p in (*ego.phases, *spec.phases))
-        if any(one.who == component.id for one in all_):
-            continue  # it is where the one is whom it overtakes
-        if passed is not None:
-            gap = _overtaken(ego, speed, passed)
+        passes = next((one for one in all_ if one.who == component.id), None)
+        if passes is not None:
+            gap = _meeting(ego, speed, passes)
+        elif passed is not None:
+            gap = _meeting(ego, speed, passed) - passed.gap - LENGTH[spec.type]
         elif own is not None and narrow and not hit:
             until = own.back + SPARE["ego"] if ego.reaction == "none" else own.begins + MET
             gap = own.travelled(until) + _drives(spec, place) * until
@@ -84,11 +85,11 @@ def _drives(spec: ObjectSpec, place: PlaceSpec) -> float:
     return middle(speed_of(spec, place))
 
 
-def _overtaken(ego: EgoSpec, speed: float, one: Overtaking) -> float:
-    """How far off one is whom another overtakes that meets ego when it is just back, or, where ego is to react to it,
+def _meeting(ego: EgoSpec, speed: float, one: Overtaking) -> float:
+    """How far off one is who overtakes another and meets ego when it is just back, or, where ego is to react to it,
     while it is still abreast."""
     until = one.back + SPARE["other"] if ego.reaction == "none" else one.abreast + ASIDE
-    return speed * until + one.travelled(until) - one.gap - one.bodies + LENGTH["car"]
+    return speed * until + one.travelled(until)
 
 
 def _out_until(ego: EgoSpec, other: ObjectSpec, hit: bool) -> float | None:

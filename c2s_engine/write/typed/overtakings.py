@@ -6,7 +6,7 @@ from c2s_engine.write.typed.collisions import Step
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.lanes import leaves_lane
 from c2s_engine.write.typed.passing import NARROW, comes_back, faster, pull_out, sideways
-from c2s_engine.write.typed.tables import LANE_NAME, is_static, is_vehicle
+from c2s_engine.write.typed.tables import HALF_LANE, LANE_NAME, is_static, is_vehicle
 from c2s_engine.write.typed.threats import hits_ego, is_hit, members
 
 INSIDE = 2.3
@@ -28,7 +28,10 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
     if not (c.oncoming_both(p) or c.same_lane(p) and c.lane is not None):
         return [([c.drive()], f"until {past}")]
     if not c.oncoming_both(p) and leaves_lane(c.other(p.target)):  # it clears the way
-        return [([c.drive(f"lambda: pace(self, {nearest(c, p)}, {c.speed}, {HEADWAY})", 4)], f"until {past}")]
+        gone = f"until {LANE_NAME[c.lane or 0]}.centerline.distanceTo({c.actor.ref(p.target)}.position) > {HALF_LANE}"
+        behind = c.drive(f"lambda: pace(self, {nearest(c, p)}, {c.actor.speed}, {HEADWAY})", 4)
+        c.behind = ""
+        return [([behind], gone), ([c.drive()], f"until {past}")]
     waits = _waits(c, p)
     home, step = c.lane, -1 if p.side == "right" else 1
     changes = home is not None and not c.oncoming_both(p) and not _by_offset(c, p)
@@ -46,7 +49,9 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
 
 
 def pulls_out(c: Course, p: Phase) -> str:
-    """The condition under which it is time to pull out behind whom it overtakes."""
+    """The condition under which it is time to pull out behind whom it overtakes; "": that one clears the lane."""
+    if leaves_lane(c.other(p.target)):
+        return ""
     closing = max(_top(c, p) - c.target_speed(p), faster(c.other(p.target)))
     if _waits(c, p):
         closing += WARY

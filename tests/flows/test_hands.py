@@ -39,13 +39,13 @@ async def test_components_are_folded_and_any_edit_unfolds(stage):
         text, spans = area.text, pane.side.spans
         ego, van = (next(s for s in spans if s.component == cid) for cid in ("E", "O1"))
         area.move_cursor((ego.first + 1, 0))
-        await pilot.press("alt+f")
+        await pilot.press("alt+o")
         assert area.cursor_location == (ego.first - 1, 0) and area.hidden == frozenset(range(ego.first, ego.last))
         assert area.virtual_size.height == area.document.line_count - (ego.last - ego.first)
         assert pane.side.line_at(ego.first - 1 - pane.side.top + 1) == ego.last + 1 and pane.side.folded(ego.first)
         await pilot.press("down")
         assert area.cursor_location[0] == ego.last  # over what is folded
-        await pilot.press("up", "alt+f")
+        await pilot.press("up", "alt+o")
         assert not area.hidden and pane.side.rows is None
         await stage.bench.run_command("fold", "all")
         assert {s.component for s in spans if s.first in area.hidden} == {s.component for s in spans} - {"E"}

@@ -13,9 +13,9 @@ from c2s_engine.check.values import Values, ends_of
 from c2s_engine.structure.specs import Phase, Trigger
 
 _DRIVE = ("points", "speed", "rate", "offset", "shift")
-_BRAKING = {3.0: False, 4.0: True}  # ego's, where the need for it is over so many m/s2: whether hard
+_BRAKING = {(2.5, "BrakeFor"): False, (3.5, "EmergencyStop"): True}
+"""Ego's, by the need for it (m/s2) and the behaviour: whether hard."""
 _RATES = {3.0: "brake", 3.5: "stop", 2.5: "accelerate", 4.0: "wait"}  # m/s2
-_NEVER = ast.Constant(None)
 
 
 @dataclass
@@ -65,32 +65,31 @@ class Written:
         if not (body and isinstance(body[0], ast.Assign) and _called(body[0].value) == "way"):
             raise NotWritten
         line = body.pop(0).targets[0].id
-        limit = None
+        braking = None
         if len(body) == 1 and isinstance(body[0], s.TryInterrupt):
-            limit = self._braking(body[0])
+            braking = self._braking(body[0])
             body = list(body[0].body)
         start: Any = None
         if body and isinstance(body[0], s.Take) and [_called(e) for e in body[0].elts] == ["SetSpeedAction"]:
             start = body.pop(0).elts[0].args[0]
         steps = [self._step(node, line) for node in body]
         phases = self._phases(start, steps)
-        return Drive(start, phases, limit in _BRAKING, bool(_BRAKING.get(limit or 0.0)))
+        return Drive(start, phases, braking is not None, bool(braking))
 
-    def _braking(self, node: Any) -> float:
-        """The need (m/s2) at which the interruption brakes: `need(self, other) > 3`, until there is none."""
+    def _braking(self, node: Any) -> bool:
+        """Whether the interruption brakes hard, where `need(self, other) > 2.5`: by one of the library's behaviours."""
         from scenic.syntax import ast as s
 
         if len(node.interrupt_when_handlers) != 1 or len(node.interrupt_when_handlers[0].body) != 1:
             raise NotWritten
         handler = node.interrupt_when_handlers[0]
-        done = handler.body[0]
-        limit, rest = self._need(handler.cond), self._need(getattr(done, "cond", _NEVER))
-        brakes = isinstance(done, s.DoUntil) and len(done.elts) == 1 and _called(done.elts[0]) == "Drive"
-        if not brakes or limit not in _BRAKING or rest != 0 or self.values.number(done.elts[0].args[1]) != 0:
+        done, limit = handler.body[0], self._need(handler.cond)
+        if not isinstance(done, s.Do) or len(done.elts) != 1 or limit is None:
             raise NotWritten
-        if not any(k.arg == "rate" and isinstance(k.value, ast.Lambda) for k in done.elts[0].keywords):
-            raise NotWritten  # as hard as it takes, not less
-        return limit
+        call = done.elts[0]
+        if (limit, _called(call)) not in _BRAKING or call.keywords or len(call.args) != 2:
+            raise NotWritten
+        return _BRAKING[limit, _called(call)]
 
     def _need(self, cond: Any) -> float | None:
         compared = _comparison(cond)

@@ -332,6 +332,19 @@ def ring_lane(ego_way):
         chain = [into[chain[0]].startLane, into[chain[0]].connectingLane, *chain]
     return long_lane(lane, chain, joined([each.centerline for each in chain]))
 
+def _beside(edge, lane, along, right):
+    """The point `right` m to the right (below 0: to the left) of a line along the road, such as the edge of its lanes,
+    next to where one is that is `along` m along a lane."""
+    spot = lane.centerline.pointAlongBy(along)
+    return edge.project(spot).offsetRotated(network.roadDirection[spot], Vector(right, 0))
+
+def _heading_at(lane, along):
+    """The direction of the road `along` m along a lane."""
+    return network.roadDirection[lane.centerline.pointAlongBy(along)]
+
+beside = distributionFunction(_beside)
+heading_at = distributionFunction(_heading_at)
+
 def along(lane, spot):
     """How far along a lane (m) the point nearest to a spot lies."""
     return min(range(int(lane.centerline.length)), key=lambda s: distance from spot to lane.centerline.pointAlongBy(s))
@@ -504,6 +517,45 @@ behavior Skid(points, aside, rate=5, turn=0.6):
         take SetVelocityAction(course.x * speed, course.y * speed), SetSteerAction(max(-1, min(1, -2 * off)))
     while True:
         take SetSpeedAction(0), SetSteerAction(0)
+
+def _those(threats):
+    """Threats as a list: one, several, or a function that gives them as they are to be seen now."""
+    found = threats() if callable(threats) else threats
+    return found if isinstance(found, list) else [found]
+
+def _force(car, threats):
+    """The need (m/s2) of `car` to brake for threats."""
+    return most_need(car, _those(threats))
+
+def _gone_by(car, walkers):
+    """Whether all of them have gone by, with room, where `car` waits."""
+    return most_need(car, walkers) <= 0 and all(passed(one, car, margin=2.5) for one in walkers)
+
+behavior BrakeFor(points, threats, least=1, release=0, stands=None):
+    """Brake for one, several, or those that a function gives: a little harder than it takes, with `least` m/s2 or more,
+    until it takes no more than `release`; with `stands` to a stand, and until it takes no more than that."""
+    enough, slow = (release, math.inf) if stands is None else (stands, 0.2)
+    rate = lambda: max(least, min(9, 1.1 * _force(self, threats)))
+    do Drive(points, 0, rate=rate) until self.speed < slow and _force(self, threats) <= enough
+
+behavior EmergencyStop(points, threats, rate=8):
+    """Brake with all that the road holds (m/s2) to a stand, and stay there while they are in the way."""
+    do Drive(points, 0, rate=rate) until self.speed < 0.2
+    do Drive(points, 0) for 1 seconds
+    do Drive(points, 0) until _force(self, threats) <= 0 and not blocked(self, _those(threats))
+
+behavior StopShortOf(points, walkers, speed, rate=3.5, stands=False):
+    """Slow down from `speed` so as to stop short of those on foot, braking at `rate` m/s2, until they have gone by; come
+    to a stand first where it `stands`."""
+    slow = 0.2 if stands else math.inf
+    pace = lambda: short_of(self, points, walkers, speed, rate)
+    do Drive(points, pace, rate=9) until self.speed < slow and _gone_by(self, walkers)
+    if stands:
+        do Drive(points, 0) for 1 seconds
+
+behavior StopAtLine(points, lane, speed, rate=3):
+    """Come to a stand at the stop line of a lane, braking at `rate` m/s2."""
+    do Drive(points, lambda: up_to(to_line(self, lane), speed, rate), rate=rate + 2.5) until self.speed < 0.2
 
 behavior TurnRound(speed=4):
     """Turn left on the spot until the car faces the way that it came from."""

@@ -16,8 +16,7 @@ def behind_junction(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan
     at = position_constant(structure, cid)
     line = f"{at} = {scope.quantity(stations.exit_gap(spec, plan))}  # m behind the junction"
     if stations.near_exit(spec):
-        point = f"place.exit_lane.centerline.pointAlongBy({member(spec, at)})"
-        return _edge(spec, line, point, "place.exit_lane", plan)
+        return _edge(spec, line, member(spec, at), "place.exit_lane", plan)
     return Spot((line,), (f"at place.exit_lane.centerline.pointAlongBy({member(spec, at)})",), "way(place.exit_lane)")
 
 
@@ -36,13 +35,13 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
         line = f"{at} = {position_constant(structure, stations.base(structure, of, plan))}"
     else:
         line = measured(structure, cid, spec, plan, sign)
-    point = f"place.lane.centerline.pointAlongBy({member(spec, at, sign or 1)})"
-    spot = _edge(spec, line, point, "place.lane", plan)
+    along = member(spec, at, sign or 1)
+    spot = _edge(spec, line, along, "place.lane", plan)
     if spec.placement.lateral is None or of != "ego":
         return spot
     left, room = spec.placement.side == "left", stations.from_lane(structure, spec)
     sideways = scope.number(-room if left else room)
-    where = f"at (new OrientedPoint at {point}, facing roadDirection) offset by {sideways} @ 0"
+    where = f"at beside(place.lane.centerline, place.lane, {along}, {sideways})"
     return replace(spot, specifiers=(where, *spot.specifiers[1:]))
 
 
@@ -53,7 +52,7 @@ def _corner(spec: ObjectSpec, at: str, plan: Plan) -> Spot:
         f"{at[:-3]}_LENGTH = max({length}, EGO_TO_JUNCTION - {scope.number(stations.CORNER)})  # m",
         f"{at} = place.length - {scope.number(stations.CORNER)} - {at[:-3]}_LENGTH / 2  # m along the lane",
     )
-    spot = _edge(spec, lines[0], f"place.lane.centerline.pointAlongBy({at})", "place.lane", plan)
+    spot = _edge(spec, lines[0], at, "place.lane", plan)
     return replace(spot, constants=lines, specifiers=(*spot.specifiers, f"with length {at[:-3]}_LENGTH"))
 
 
@@ -66,8 +65,8 @@ def by_door(structure: Structure, spec: ObjectSpec) -> Spot:
     return Spot((), (where, facing, "with regionContainedIn everywhere"), "straight_on(self)", off_road=True)
 
 
-def _edge(spec: ObjectSpec, constant: str, point: str, lane: str, plan: Plan) -> Spot:
-    """Beside the road: outwards from the edge of the lanes nearest to a point of the lane."""
+def _edge(spec: ObjectSpec, constant: str, along: str, lane: str, plan: Plan) -> Spot:
+    """Beside the road: outwards from the edge of the lanes, next to where one is so far `along` the lane."""
     left = spec.placement.side == "left"
     two_way = stations.two_way(plan)
     outermost = lane == "place.lane" and plan.place.ego_lane == "rightmost"
@@ -75,15 +74,12 @@ def _edge(spec: ObjectSpec, constant: str, point: str, lane: str, plan: Plan) ->
     edge = right if not left else f"{lane}.group.opposite.rightEdge" if two_way else f"{lane}.group.leftEdge"
     out = stations.outwards(spec)
     offset = scope.number(-out if left else out)
-    base = f"(new OrientedPoint at {edge}.project({point}), facing roadDirection at {point})"
-    heading = f"roadDirection at {point}"
-    facing = _facing(spec, left)
     specifiers = (
-        f"at {base} offset by {offset} @ 0",
-        f"facing {facing}({heading})",
+        f"at beside({edge}, {lane}, {along}, {offset})",
+        f"facing {_facing(spec, left)}heading_at({lane}, {along})",
         "with regionContainedIn everywhere",
     )
-    return Spot((constant,), specifiers, f"way({lane})", off_road=True, heading=heading)
+    return Spot((constant,), specifiers, f"way({lane})", off_road=True)
 
 
 def _facing(spec: ObjectSpec, left: bool) -> str:

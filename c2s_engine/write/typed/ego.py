@@ -21,10 +21,9 @@ def _start(spec: EgoSpec, said: EgoSpec) -> list[str]:
     point = "place.lane.centerline.pointAlongBy(EGO_AT)"
     if not pulls_out(said):
         return [f"ego = new {CLASS[spec.type]} at {point},"]
-    kerb = f"(new OrientedPoint at place.lane.rightEdge.project({point}), facing roadDirection at {point})"
     return [
-        f"ego = new {CLASS[spec.type]} at {kerb} offset by 1.4 @ 0,",
-        f"    facing (roadDirection at {point}),",
+        f"ego = new {CLASS[spec.type]} at beside(place.lane.rightEdge, place.lane, EGO_AT, 1.4),",
+        "    facing heading_at(place.lane, EGO_AT),",
         "    with regionContainedIn everywhere,",
     ]
 

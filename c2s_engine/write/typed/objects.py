@@ -88,8 +88,8 @@ def _statement(spec: ObjectSpec, spot: Spot, name: str, behavior: str) -> list[s
     specifiers = list(dict.fromkeys([*spot.specifiers, *extras]))
     head = f"new {CLASS[spec.type]} {specifiers[0]}"
     if spec.count > 1:
-        rest = ", ".join(specifiers[1:])
-        return [f"{name} = [{head}, {rest}", f"    for i in range({spec.count})]"]
+        rest = [f"    {s}," for s in specifiers[1:-1]]
+        return [f"{name} = [{head},", *rest, f"    {specifiers[-1]} for i in range({spec.count})]"]
     return [f"{name} = {head},", *(f"    {s}," for s in specifiers[1:-1]), f"    {specifiers[-1]}"]
 
 
@@ -103,24 +103,21 @@ def _blueprint(spec: ObjectSpec) -> str:
 def _works(spec: ObjectSpec, spot: Spot, name: str) -> str:
     """Cones across and along the lane, a barrier and a sign: what makes a work zone or closes a lane."""
     where, origin = spot.specifiers[0], f"{name}_spot"
-    made = where.startswith("at (new OrientedPoint")
-    oriented = where.removeprefix("at ") if made else f"(new OrientedPoint {where}, facing roadDirection)"
-    lines = [*spot.constants, f"{origin} = {oriented}"]
+    facing = next((s for s in spot.specifiers if s.startswith("facing")), "facing roadDirection")
+    lines = [*spot.constants, f"{origin} = new OrientedPoint {where}, {facing}"]
     looks = f"with blueprint {_blueprint(spec)}, with regionContainedIn everywhere"
-    cone = f"new Cone at {origin} offset by {{x}} @ {{y}}, {looks}"
     rows = "((-1.4, -6), (-0.5, -4), (0.5, -2), (1.4, 0), (1.4, 4), (1.4, 8))"
-    lines.append(f"{name} = [{cone.format(x='x', y='y')}")
-    lines.append(f"    for x, y in {rows}]")
-    lines.append(
-        f"{name}_barrier = new Barrier at {origin} offset by 0 @ 5, facing {origin}.heading + 90 deg,"
-        " with blueprint 'static.prop.streetbarrier', with regionContainedIn everywhere"
-    )
+    lines += [f"{name} = [new Cone at {origin} offset by x @ y, {looks}", f"    for x, y in {rows}]"]
+    lines += [
+        f"{name}_barrier = new Barrier at {origin} offset by 0 @ 5, facing {origin}.heading + 90 deg,",
+        "    with blueprint 'static.prop.streetbarrier', with regionContainedIn everywhere",
+    ]
     if spec.type == "construction_zone":
-        lines.append(
-            f"{name}_sign = new TrafficWarning at {origin} offset by 0.4 @ -9, facing {origin}.heading,"
-            " with blueprint 'static.prop.trafficwarning', with rolename 'warning_sign',"
-            " with regionContainedIn everywhere"
-        )
+        lines += [
+            f"{name}_sign = new TrafficWarning at {origin} offset by 0.4 @ -9, facing {origin}.heading,",
+            "    with blueprint 'static.prop.trafficwarning', with rolename 'warning_sign',",
+            "    with regionContainedIn everywhere",
+        ]
     return "\n".join(lines)
 
 

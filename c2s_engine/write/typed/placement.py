@@ -64,7 +64,7 @@ def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) 
         at = f"-({member(spec, name)})" if behind else f"-({member(spec, f'max(1, {name})')})"
         return Spot(
             (line,),
-            (*_there(structure, cid, plan, f"{lane}.centerline.pointAlongBy({at})"), *loose),
+            (*_there(structure, cid, plan, lane, at), *loose),
             way,
             approach=None if place == "on_ramp" else lane,
         )
@@ -110,13 +110,12 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
     reached = member(spec, at, sign or 1)
     if plan.place.kind == "on_ramp" and k > 0:  # the lanes meet at their ends
         reached = f"min(-1, {reached} - place.lane.centerline.length)"
-    point = f"{lane}.centerline.pointAlongBy({reached})"
-    specifiers: tuple[str, ...] = (f"at {point}",)
+    specifiers: tuple[str, ...] = (f"at {lane}.centerline.pointAlongBy({reached})",)
     if side := way_beside or aside(structure, cid, plan):
         specifiers = (
-            f"at (new OrientedPoint at {point}, facing roadDirection) offset by {scope.number(-side)} @ 0",
+            f"at beside({lane}.centerline, {lane}, {reached}, {scope.number(-side)})",
             "with regionContainedIn everywhere",
-            *([] if spec.placement.facing == "against" else [f"facing (roadDirection at {point})"]),
+            *([] if spec.placement.facing == "against" else [f"facing heading_at({lane}, {reached})"]),
         )
     if is_walker(spec.type):
         specifiers += ("with regionContainedIn everywhere",)
@@ -145,18 +144,18 @@ def _approaching(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -
     if cid in plan.set_out:
         constants += meetings.sets_out(structure, cid, plan, lane, line)
     loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
-    there = _there(structure, cid, plan, f"{lane}.centerline.pointAlongBy({at})")
+    there = _there(structure, cid, plan, lane, at)
     return Spot(tuple(constants), (*there, *loose), line, approach=lane)
 
 
-def _there(structure: Structure, cid: str, plan: Plan, point: str) -> tuple[str, ...]:
-    """At a point of an approach, or beside it where some wait there and others drive past."""
+def _there(structure: Structure, cid: str, plan: Plan, lane: str, along: str) -> tuple[str, ...]:
+    """So far along an approach, or beside it where some wait there and others drive past."""
     left = pockets.aside(structure, plan, cid)
     if not left:
-        return (f"at {point}",)
+        return (f"at {lane}.centerline.pointAlongBy({along})",)
     right = left[1:] if left.startswith("-") else f"-{left}"
-    at = f"at (new OrientedPoint at {point}, facing roadDirection) offset by {right} @ 0"
-    return at, "with regionContainedIn everywhere", f"facing (roadDirection at {point})"
+    at = f"at beside({lane}.centerline, {lane}, {along}, {right})"
+    return at, "with regionContainedIn everywhere", f"facing heading_at({lane}, {along})"
 
 
 def _way_over(plan: Plan, lane: str, turn: str) -> str:

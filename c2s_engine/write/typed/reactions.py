@@ -1,5 +1,7 @@
 """Reactions: what drivers do when others force them to, laid around what they do of their own accord."""
 
+import re
+
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
@@ -12,7 +14,6 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static
 from c2s_engine.write.typed.threats import (
     every,
-    every_passed,
     hits_ego,
     in_sight,
     is_hit,
@@ -23,11 +24,8 @@ from c2s_engine.write.typed.threats import (
 from c2s_engine.write.typed.threats import on_foot as threats_on_foot
 from c2s_engine.write.typed.usual import rides_beside, turn_of
 
-SOFT = "lambda: max(1, min(9, 1.1 * {force}))"
-HARD = "lambda: max(4.5, min(9, 1.1 * {force}))"
-"""m/s2: how hard drivers brake for who forces them to: a little more than it takes."""
-STOOD = "self.speed < 0.2 and {force} <= {limit}"
-"""What ends the braking of one that is to come to a stand: the need of it must be over, too."""
+SOFT, HARD = 1.0, 4.5
+"""m/s2 at least with which drivers brake for who forces them to; a little more than it takes."""
 CAREFUL = 1.5
 """m/s2 that it takes by then, where ego has just set out from where it stopped."""
 FULL = {"wet": 7.0, "rain": 7.0, "heavy_rain": 6.0, "snow": 4.0}
@@ -114,9 +112,8 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     others = [c for c in cids if c not in met]
     things = [scope.reference(s, c) for c in sorted(map(str, hit)) if c in s and _beside(s, c) and _stands(s, c)]
     far = "".join(f"not near(self, {one}) and " for one in things)
-    lines = _around(statements, once_seen(s, others), 6, rate, when=far)
-    if others:
-        lines[-1] += "".join(f" or near(self, {one})" for one in things)
+    near = "".join(f" or near(self, {one})" for one in things)
+    lines = _around(statements, once_seen(s, others), 6, 0.0, when=far, until=f"{{force}} <= 0{near}", exactly=rate)
     movers = [c for c in met if not (_beside(s, c) and _stands(s, c))]
     for c in movers:
         one = scope.reference(s, c)
@@ -163,15 +160,11 @@ def _stop_for(actor: Actor, on_foot: list[str], hard: bool, stands: bool) -> lis
     to a stand where it `stands`."""
     s = actor.structure
     limit, rate = (5.0, 7.0) if hard else (3.0, 3.5)
-    force = _force([in_sight(s, c) for c in on_foot])
-    stood = ["self.speed < 0.2"] if stands else []
-    gone = " and ".join([*stood, f"{force} <= 0", *(every_passed(s, c) for c in on_foot)])
     they = ", ".join(every(s, c) for c in on_foot)
-    slower = f"short_of(self, line, [{they}], {actor.speed}, {scope.number(rate)})"
+    more = (f", rate={scope.number(rate)}" if hard else "") + (", stands=True" if stands else "")
     return [
-        f"interrupt when {force} > {scope.number(limit)}:",
-        f"    do Drive(line, lambda: {slower}, rate=9) until {gone}",
-        *(["    do Drive(line, 0) for 1 seconds"] if stands else []),
+        f"interrupt when {_force([in_sight(s, c) for c in on_foot])} > {scope.number(limit)}:",
+        f"    do StopShortOf(line, [{they}], {actor.speed}{more})",
     ]
 
 
@@ -226,33 +219,48 @@ def _around(
     statements: list[str],
     threats: list[str],
     limit: float,
-    rate: str,
+    least: float,
     release: float = 0,
     when: str = "",
     stands: bool = False,
     behind: str = "",
     full: float = 0,
+    until: str = "",
+    exactly: str = "",
 ) -> list[str]:
-    """The statements, interrupted by braking at `rate` when the need (m/s2) for one of the threats is over `limit`,
-    until it is no more than `release`, or to a stand; `when`: a condition of that, with its `and`; `behind`: another
-    one, of its end. `full` (m/s2): to a stand with all that the road holds, until the cause is gone."""
+    """The statements, interrupted by braking with `least` m/s2 or more when the need (m/s2) for one of the threats is
+    over `limit`, until it is no more than `release`, or to a stand; `when`: a condition of that, with its `and`;
+    `behind`: another one, of its end. `full` (m/s2): to a stand with all that the road holds, until the cause is gone.
+    `until`: when else it ends, braking at `exactly` so many m/s2."""
     head, rest = statements[:1], statements[1:]
     if not threats:
         return [*head, "try:", *(f"    {s}" for s in rest)]
-    force = _force(threats)
-    over = STOOD.format(force=force, limit=limit) if stands else f"{force} <= {scope.number(release)}"
-    brakes = [f"do Drive(line, 0, rate={rate.format(force=force)}) until {over}"]
+    force, them = _force(threats), _them(threats)
+    more = f", least={scope.number(least)}" if least != SOFT else ""
+    more += f", stands={scope.number(limit)}" if stands else f", release={scope.number(release)}" if release else ""
     if full:
-        clear = f"{force} <= 0 and not blocked(self, [{', '.join(threats)}])"
-        stood = ["do Drive(line, 0) for 1 seconds", f"do Drive(line, 0) until {clear}"]
-        brakes = [f"do Drive(line, 0, rate={scope.number(full)}) until self.speed < 0.2", *stood]
+        brakes = f"do EmergencyStop(line, {them}{f', rate={scope.number(full)}' if full != DRY else ''})"
+    elif until or behind:
+        rate = exactly or f"lambda: max({scope.number(least)}, min(9, 1.1 * {force}))"
+        over = until.format(force=force) or f"{force} <= {scope.number(release)}{behind}"
+        brakes = f"do Drive(line, 0, rate={rate}) until {over}"
+    else:
+        brakes = f"do BrakeFor(line, {them}{more})"
     return [
         *head,
         "try:",
         *(f"    {s}" for s in rest),
         f"interrupt when {when}{force} > {scope.number(limit)}:",
-        *(f"    {s}" for s in brakes),
+        f"    {brakes}",
     ]
+
+
+def _them(threats: list[str]) -> str:
+    """One or several, as an argument: by a function where it changes who of them is to be seen."""
+    if len(threats) == 1 and re.fullmatch(r"\w+", threats[0]):
+        return threats[0]
+    listed = f"[{', '.join(threats)}]"
+    return listed if all(re.fullmatch(r"\*?[\w\[\]-]+", t) for t in threats) else f"lambda: {listed}"
 
 
 def _stands_first(spec: EgoSpec) -> int:

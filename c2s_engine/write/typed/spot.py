@@ -19,7 +19,6 @@ class Spot:
     lane: int | None = None
     approach: str | None = None
     off_road: bool = False
-    heading: str = ""  # the road's heading at the spot, where it stands beside it
 
 
 def position_constant(structure: Structure, cid: str) -> str:

@@ -105,12 +105,14 @@ def _brake(c: Course, p: Phase) -> list[Step]:
 
 def _stop(c: Course, p: Phase) -> list[Step]:
     rate = middle(p.rate) if p.rate else (7 if _hard(c) else 3.5)
-    first = drive = c.drive("0", rate)
+    drive = c.drive("0", rate)
+    first: Step = ([drive], "until self.speed < 0.2")
     if p.trigger == AT_LINE and (lane := c.actor.to_junction):
-        first = c.drive(f"lambda: up_to(to_line(self, {lane}), {c.speed}, {scope.number(rate - 0.5)})", rate + 2)
+        own = "" if rate == 3.5 else f", rate={scope.number(rate - 0.5)}"
+        first = ([f"do StopAtLine(line, {lane}, {c.speed}{own})"], "")
     if p.duration is None and (until := sets_out_to_meet(c)):
-        return [([first], "until self.speed < 0.2"), ([drive], until)]
-    return [([first], "until self.speed < 0.2"), ([drive], ending(p, "for 1 seconds"))]
+        return [first, ([drive], until)]
+    return [first, ([drive], ending(p, "for 1 seconds"))]
 
 
 def _wait(c: Course, p: Phase) -> list[Step]:

@@ -19,7 +19,7 @@ behavior EgoBehavior():
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
     interrupt when need(self, walker) > 3:
-        do Drive(line, lambda: short_of(self, line, [walker], EGO_SPEED, 3.5), rate=9) until need(self, walker) <= 0 and passed(walker, self, margin=2.5)
+        do StopShortOf(line, [walker], EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
@@ -35,8 +35,8 @@ behavior WalkerBehavior():
     do Stand() until sets_out(self, ego, line, WALKER_SPEED, WALKER_ARRIVES)
     do Walk(self.heading, WALKER_SPEED, to_far_side(self, line, self.heading))
 
-walker = new Pedestrian at (new OrientedPoint at place.lane.rightEdge.project(place.lane.centerline.pointAlongBy(WALKER_AT)), facing roadDirection at place.lane.centerline.pointAlongBy(WALKER_AT)) offset by 3 @ 0,
-    facing 90 deg relative to (roadDirection at place.lane.centerline.pointAlongBy(WALKER_AT)),
+walker = new Pedestrian at beside(place.lane.rightEdge, place.lane, WALKER_AT, 3),
+    facing 90 deg relative to heading_at(place.lane, WALKER_AT),
     with regionContainedIn everywhere,
     with blueprint Uniform(*PEDESTRIANS),
     with behavior WalkerBehavior()

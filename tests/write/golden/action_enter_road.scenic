@@ -19,7 +19,7 @@ behavior EgoBehavior():
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
     interrupt when need(self, puller) > 2.5:
-        do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, puller)))) until need(self, puller) <= 0
+        do BrakeFor(line, puller)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
@@ -33,8 +33,8 @@ behavior PullerBehavior():
     do Drive(line, 0) until pulls_out(self, ego, line, 3, -1.69)
     do Drive(line, 7, rate=3)
 
-puller = new Car at (new OrientedPoint at place.lane.rightEdge.project(place.lane.centerline.pointAlongBy(PULLER_AT)), facing roadDirection at place.lane.centerline.pointAlongBy(PULLER_AT)) offset by 1.6 @ 0,
-    facing (roadDirection at place.lane.centerline.pointAlongBy(PULLER_AT)),
+puller = new Car at beside(place.lane.rightEdge, place.lane, PULLER_AT, 1.6),
+    facing heading_at(place.lane, PULLER_AT),
     with regionContainedIn everywhere,
     with blueprint Uniform(*CARS),
     with behavior PullerBehavior()

@@ -39,7 +39,7 @@ behavior FollowerBehavior():
         take SetSpeedAction(FOLLOWER_SPEED)
         do Drive(line, lambda: pace(self, ego, FOLLOWER_SPEED, headway=0.92), rate=4)
     interrupt when most_need(self, [ego, lead]) > 3:
-        do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * most_need(self, [ego, lead])))) until most_need(self, [ego, lead]) <= 0
+        do BrakeFor(line, [ego, lead])
 
 follower = new Car at place.lane.centerline.pointAlongBy(FOLLOWER_AT),
     with blueprint Uniform(*CARS),

@@ -29,8 +29,8 @@ WALKER_AT = EGO_AT + 55.6 + 2.85  # m along the lane
 behavior WalkerBehavior():
     do Walk(self.heading, WALKER_SPEED)
 
-walker = new Pedestrian at (new OrientedPoint at place.lane.rightEdge.project(place.lane.centerline.pointAlongBy(WALKER_AT)), facing roadDirection at place.lane.centerline.pointAlongBy(WALKER_AT)) offset by 3 @ 0,
-    facing (roadDirection at place.lane.centerline.pointAlongBy(WALKER_AT)),
+walker = new Pedestrian at beside(place.lane.rightEdge, place.lane, WALKER_AT, 3),
+    facing heading_at(place.lane, WALKER_AT),
     with regionContainedIn everywhere,
     with blueprint Uniform(*PEDESTRIANS),
     with behavior WalkerBehavior()

@@ -19,7 +19,7 @@ behavior EgoBehavior():
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
     interrupt when need(self, backer) > 2.5:
-        do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, backer)))) until need(self, backer) <= 0
+        do BrakeFor(line, backer)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',

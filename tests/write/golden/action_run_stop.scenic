@@ -20,12 +20,12 @@ behavior EgoBehavior():
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED) until to_line(self, place.lane) < 0.5 + self.speed ** 2 / 6
-        do Drive(line, lambda: up_to(to_line(self, place.lane), EGO_SPEED, 3), rate=5.5) until self.speed < 0.2
+        do StopAtLine(line, place.lane, EGO_SPEED)
         do Drive(line, 0, rate=3.5) for 1 seconds
         do Drive(line, 0, rate=4) for 1 seconds
         do Drive(line, EGO_SPEED, rate=2)
     interrupt when need(self, runner) > 2.5:
-        do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, runner)))) until need(self, runner) <= 0
+        do BrakeFor(line, runner)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',

@@ -22,7 +22,7 @@ behavior EgoBehavior():
         do Drive(line, lambda: up_to(to_line(self, place.lane), EGO_SPEED), rate=5) until passed(crosser, self)
         do Drive(line, EGO_SPEED, rate=2)
     interrupt when need(self, crosser) > 3:
-        do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, crosser)))) until need(self, crosser) <= 0
+        do BrakeFor(line, crosser)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
@@ -41,7 +41,7 @@ behavior CrosserBehavior():
         take SetSpeedAction(CROSSER_SPEED)
         do Drive(line, CROSSER_SPEED)
     interrupt when self._lane is ego._lane and need(self, ego) > 3:
-        do Drive(line, 0, rate=lambda: max(1, min(9, 1.1 * need(self, ego)))) until need(self, ego) <= 0
+        do BrakeFor(line, ego)
 
 crosser = new Car at place.from_right.centerline.pointAlongBy(-CROSSER_TO_JUNCTION),
     with blueprint Uniform(*CARS),

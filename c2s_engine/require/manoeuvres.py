@@ -27,7 +27,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
         left = _left(scene, actor, i)
         later = {p.action for p in scene.actors[actor].phases[i + 1 :]}
         if phase.action == "overtake" and phase.abandoned:
-            yield scene.make("phase", "breaks_off", actor, f"{path}.abandoned", f"{name}: pulls out to overtake and "
+            yield scene.make("phase", "overtaking_broken_off", actor, f"{path}.abandoned",
+                             f"{name}: pulls out to overtake and "
                              "drops back behind.", other=_whom(scene, actor, phase))  # fmt: skip
         elif phase.action in COMES_BACK and not (later | left) & set(ELSEWHERE) and _in_lane(scene, actor, phase):
             yield scene.make("phase", "comes_back", actor, f"{path}.back", f"{name}: {phase.action} ends in its own "
@@ -115,7 +116,7 @@ def comes_back_at(requirement: Requirement, evidence: Evidence) -> Result:
                   measured=(gap, least - room, most + room))  # fmt: skip
 
 
-def breaks_off(requirement: Requirement, evidence: Evidence) -> Result:
+def overtaking_broken_off(requirement: Requirement, evidence: Evidence) -> Result:
     """Out of its lane's middle behind or beside the other, never ahead of it, and back."""
     said = "out, and back behind"
     motion, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
@@ -173,5 +174,6 @@ def emergency(requirement: Requirement, evidence: Evidence) -> Result:
                   float(motion.time[int(motion.acceleration.argmin())]), measured=(hardest, limits, 9.8))  # fmt: skip
 
 
-CHECKS = {"comes_back": comes_back, "comes_back_at": comes_back_at, "breaks_off": breaks_off, "alongside": alongside,
+CHECKS = {"comes_back": comes_back, "comes_back_at": comes_back_at, "alongside": alongside,
+          "overtaking_broken_off": overtaking_broken_off,
           "slides_to_a_stand": slides_to_a_stand, "emergency": emergency}  # fmt: skip

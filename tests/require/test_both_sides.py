@@ -7,6 +7,7 @@ import pytest
 from roads import Actor, Scene, event, ramp, swap
 
 from c2s_engine.require import evaluate, majority, require, whole, without_reaction
+from c2s_engine.require.deriving import PARTS
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.facts import ContactFact, Mark, Stay
 from c2s_engine.structure.requirements import Run, failures, tally
@@ -538,6 +539,11 @@ def test_most_runs_decide_and_failures_are_told_in_a_line() -> None:
     assert len(lines) == tally(found)[1] - tally(found)[0] and any(
         line.startswith("O1 (actor): brake.") for line in lines
     )
+
+
+def test_no_two_rules_share_a_name() -> None:
+    names = [name for part in PARTS for name in part.CHECKS]
+    assert len(names) == len(set(names)), sorted(names)
 
 
 def test_ids_are_there_once_and_every_rule_is_known() -> None:

@@ -5,12 +5,14 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes import asked, notes, put, refine, retold
+from c2s_engine.interpret.changes import asked, notes, put, refine
 from c2s_engine.interpret.changes.corrected import Last, after, corrected, differences, of_the_same
 from c2s_engine.interpret.changes.pointed import missing
 from c2s_engine.interpret.changes.refer import refer
+from c2s_engine.interpret.embedded import NOT_ENGLISH, faults
 from c2s_engine.interpret.entities import MOVERS
 from c2s_engine.interpret.reading import scan
+from c2s_engine.interpret.reading.english import is_english
 from c2s_engine.interpret.reading.spelling import Mended
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit
@@ -31,15 +33,13 @@ class Turn:
 
 
 def route(text: str, structure: Structure | None, last: Last | None = None) -> Turn:
-    """Decide what the text asks for, given the S at hand (None: there is none yet) and what was typed last."""
-    try:
+    """Decide what the text asks for, given the S at hand (None: there is none yet) and what was typed last;
+    raises InterpreterFault."""
+    if not is_english(text):
+        return Turn("edit", reply=NOT_ENGLISH, span=(0, len(text)))
+    with faults():
         again = _again(text, structure, last) if structure is not None and last is not None else None
         return again or _route(text, structure)
-    except Exception as error:  # any text gives a turn, never a traceback
-        reply = (
-            f"This text defeats the embedded interpreter ({type(error).__name__}): say it in shorter, plainer words."
-        )
-        return Turn("edit", reply=reply, span=(0, len(text)))
 
 
 def _again(text: str, structure: Structure, last: Last) -> Turn | None:
@@ -86,7 +86,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
         return Turn("question", span=whole)
     if structure is None or not structure.text and not structure.objects:
         return Turn("scenario", span=whole)
-    demanded = asked.demanded(plain)
+    demanded = plain
     plain = notes.text_of(demanded, structure)
     commanding = bool(re.match(table["commands"], plain)) or bool(re.search(table["marks"], plain))
     if (
@@ -167,8 +167,8 @@ def _of_those_there(plain: str, structure: Structure) -> bool:
 def _adds(plain: str, structure: Structure) -> bool:
     """Whether a text only tells of somebody new in the scene that is there."""
     table = language.table("refine")["told"]
-    apart = re.sub(table["meanwhile"], " ", plain)
-    return bool(re.match(table["adds"], plain)) and not retold.tells_ego(apart, structure)
+    re.sub(table["meanwhile"], " ", plain)
+    return bool(re.match(table["adds"], plain))
 
 
 def _goes_on(plain: str, structure: Structure) -> bool:

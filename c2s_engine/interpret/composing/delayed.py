@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
+from c2s_engine.interpret.composing.seen import DONE, shown
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.what.event import Event
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
 
 SINCE = re.compile(
@@ -29,7 +31,14 @@ def delayed(
         told = event.trigger
         if told is None or told["kind"] != "time" or not SINCE.search(event.whole):
             continue
-        continue
+        at = next((i for i, p in enumerate(found) if p.action in DONE.get(event.act, ())), None)
+        before = _before(scene, event)
+        if at is None or before is None:
+            continue
+        _phase, lasts = found[at], round(told["value"], 2)
+        start = shown(scene, before, ids.get(before.agent, ""), others) if before.agent is not entity else None
+        if start is not None:
+            found[at : at + 1] = begun(entity, found, at, start, lasts)
     return found
 
 
@@ -42,3 +51,9 @@ def begun(entity: Entity, phases: list[Phase], at: int, trigger: Trigger | None,
     still = at and phases[at - 1].action in STILL
     pause = Phase(action="wait" if still else "keep_lane", duration=late, trigger=trigger)
     return [pause, phases[at].model_copy(update={"trigger": None})]
+
+
+def _before(scene: Scene, event: Event) -> Event | None:
+    """What was told last before an event, of what can be seen."""
+    told = [e for e in scene.clauses.events if e.done and e.act in DONE and e is not event and e.order < event.order]
+    return max(told, key=lambda e: e.order, default=None)

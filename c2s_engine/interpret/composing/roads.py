@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret.composing.ego_lane import ego_lane_of
+from c2s_engine.interpret.placing.arms import in_another_arm
 from c2s_engine.interpret.placing.lengthwise import at_edge, wrong_way
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.surroundings import place as places
@@ -196,7 +197,7 @@ def _neighbours(scene: Scene, at_junction: bool) -> tuple[bool, bool, bool]:
         where = scene.where(entity)
         if where.of is not None and not where.of.ego:
             continue
-        if not at_edge(scene, entity):
+        if not at_edge(scene, entity) and not (at_junction and in_another_arm(scene, entity)):
             left, right = left or where.lane == "left", right or where.lane == "right"
         if (where.lane == "oncoming" or "oncoming" in entity.roles) and not wrong_way(scene, entity):
             oncoming = True

@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret.entities import URGENT
+from c2s_engine.interpret.placing.arms import waits_beside
 from c2s_engine.interpret.placing.compass import compass, roadside
 from c2s_engine.interpret.placing.implied_starts import implied_start
 from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, passes_ego, told_along, told_of, wrong_way
@@ -36,6 +37,8 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     if lane == "oncoming" and rel == "behind" and "oncoming" not in entity.roles:
         lane = None  # the side on which it passes
     told = " ".join(t for _, t in where.phrases)
+    if junction and rel is None and waits_beside(scene, entity, told):
+        rel = "beside"
     if junction and lane in ("left", "right") and rel is None and "lane" not in told:
         lane, edge = "crossing", lane
     direction = compass(scene, entity) if lane in (None, "same", "crossing", "left", "right", "adjacent") else None

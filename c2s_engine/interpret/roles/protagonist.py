@@ -5,6 +5,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.roles.among_others import who_is_led, who_met_it
+from c2s_engine.interpret.roles.aside import beside_nobody, from_aside
 from c2s_engine.interpret.roles.bare import ROLE_WORDS, bare_first
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
@@ -75,10 +76,12 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
             entity.roles & ROLE_WORDS
             or (entity.noun or entity.label) in NEVER_EGO
             or not told_by
-            and _passes_nobody(acting[entity])
+            and (_passes_nobody(acting[entity]) or "following" not in entity.roles and beside_nobody(entity, cast))
         ):
             continue
         head = cast.words[entity.mentions[0].word]
+        if not told_by and len(vehicles) == 1 and any(from_aside(m.word, cast) for m in entity.mentions):
+            continue
         before = cast.words[head.i - 1].norm if head.i else ""
         told_apart = {before, *(cast.words[c].norm for c in head.children)} & {"another", "other"}
         if told_apart and vehicles.index(entity):
@@ -106,7 +109,7 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     if not candidates:
         struck = {v.patient for v in clauses.events if v.act == "collide" and v.done and not v.agent.ego}
         candidates = [e for e in vehicles if e in struck and not e.roles & ROLE_WORDS][:1]
-    if not candidates and len(vehicles) == 1:
+    if not candidates and len(vehicles) == 1 and not beside_nobody(vehicles[0], cast):
         passed = [v.patient for v in acting[vehicles[0]] if v.act in ("overtake", "cut_in")]
         candidates = (
             vehicles if passed and all(p is not None and p.type not in MOTOR and not p.ego for p in passed) else []

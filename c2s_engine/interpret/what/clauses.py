@@ -26,6 +26,10 @@ BACKWARDS = re.compile(
     r"(?:roll|drive|move|slide|drift|go|come) (?:\w+ )?(?:back|backwards?|rearwards?) (?:and |into )"
 )
 BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
+GOING_BEGUN = re.compile(
+    r"(?:start|begin|commence|resume|get) (?:to )?(?:move|drive|roll|go)"
+    r"(?: (?:off|again|forwards?|slowly|gently))*[ .,;]*$"
+)
 
 
 class Clauses(Deverbal):
@@ -67,6 +71,8 @@ class Clauses(Deverbal):
             for c in word.children
             if c > word.i and self.words[c].dep in ("xcomp", "ccomp") and self._is_verb(self.words[c])
         ]
+        if (told := self._going_begun_or_ended(word, text)) is not None:
+            lemma, text = told
         if lemma == "stop" and any(self.words[c].dep == "auxpass" for c in word.children):
             complements = []  # "was stopped facing west"
         if lemma in ("let", "allow", "wait", "permit") and complements:
@@ -223,3 +229,10 @@ class Clauses(Deverbal):
             late.adverbial, late.start, late.end = event.adverbial, event.start, event.end
             self.events.append(late)
         self.by_word[word.i] = event
+
+    def _going_begun_or_ended(self, word: Word, text: str) -> tuple[str, str] | None:
+        """The verb and text that say plainly that one begins or ends going: "starts moving", "stops rolling"."""
+        before = word.i - 2 if self.words[word.i - 1].norm == "to" else word.i - 1
+        if word.dep == "xcomp" and word.head == before or before >= 0 and self.words[before].dep == "aux":
+            text = f"{self._lemma(self.words[before])} {text}"
+        return ("move", "move off") if GOING_BEGUN.match(text) else None

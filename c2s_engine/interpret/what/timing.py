@@ -120,6 +120,10 @@ class Timing(Afterwards):
                 return self.by_word[current.i]
         return None
 
+    def joined_to(self, event: Event) -> Event | None:
+        """What the clause tells to which an event's clause is joined."""
+        return self._main(self.words[event.word])
+
     def _triggers(self) -> None:
         """ "when ego is 20 m away", "once the TTC falls to 2 s", "after 5 s": for the event they stand with."""
         for event in self.events:

@@ -2,6 +2,144 @@
 
 from __future__ import annotations
 
-from c2s_engine.interpret.surroundings import lanes
+import re
 
+from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import Entity
+from c2s_engine.interpret.surroundings import lanes
+from c2s_engine.interpret.surroundings.whereabouts import STATES, Where
+from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.who.mentions import Cast
+
+COUNTED = r"(?P<n>one|two|three|four|five|six|[1-6]|first|second|third)"
 NTH = "|".join(lanes.NTH)
+MANY = "two|three|four|five|six|[2-6]"
+USERS = language.alternatives([noun for noun, (_, several, _) in language.actor_nouns().items() if several])
+ORDINAL = (
+    rf"(?P<o>{NTH})(?: lane| \w+ lane|(?: one)?(?= from (?:the )?(?:left|right)\b|(?: out)? of (?:the )?(?:{MANY})\b"
+    rf"(?! (?:\w+ )?(?:{USERS})\b)))"
+)
+NUMBERED = re.compile(
+    rf"(?:number|lane number|(?<![\w-])lane|no\.?|#) {COUNTED}(?: lane| of (?:the )?(?:\w+ ){{1,2}}lanes)?\b(?!-)"
+    rf"|\b{ORDINAL}\b"
+)
+INTO = re.compile(
+    rf"\b(?:in|on|over|across)?to (?:the )?(?:(?:lane (?:number |no\.? |# )?|number |no\.? |# ){COUNTED}|{ORDINAL})\b"
+)
+TOTAL = re.compile(
+    rf"\b(?:lane \w+|(?:{NTH})(?: lane| one)?(?: from (?:the )?(?:left|right))?),? (?:out )?of (?:the )?(?P<n>{MANY})\b"
+    rf"|(?<!number )(?<!no\. )(?<!# )(?<!#)\b(?P<m>{MANY})(?: \w+)?[ -]+lane"
+    rf"|\b(?P<k>{MANY}) (?:\w+bound |through |travel |traffic )*lanes\b"
+)
+FROM_SIDE = re.compile(
+    rf"\b(?:lanes?|{NTH})(?: one)? (?:\w+ ){{0,2}}from (?:the )?(?:far )?(?P<side>left|right)\b(?! lane)"
+    r"|(?:count|number)\w* (?:\w+ )?(?:starts? |starting |begins? |beginning )?(?:from|on|at) (?:the )?"
+    r"(?P<side2>left|right)\b"
+)
+NEAR = 25
+"""Words within which a blow belongs to a move."""
+SHIFTS = frozenset(("drift", "lane_change", "cut_in", "swerve"))
+
+
+def number_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str | None:
+    """Place those whose lanes are numbered beside ego's numbered lane; the name of ego's own lane."""
+    numbers: dict[Entity, int] = {}
+    ordinal = False
+    for entity in (cast.ego, *cast.entities):
+        for text in _told(entity, cast, clauses, of):
+            match = NUMBERED.search(text)
+            if match and ("lane" in match[0] or match["o"]) and entity not in numbers:
+                numbers[entity] = lanes.counted(match["n"] or match["o"])
+                ordinal = ordinal or match["o"] is not None
+    own = numbers.get(cast.ego)
+    total = _total(cast)
+    if own is None or ordinal and len(numbers) == 1 and not FROM_SIDE.search(_plain(cast)):
+        return None
+    rightwards = not _from_right(numbers, cast, clauses)
+    for entity, number in numbers.items():
+        if entity.ego:
+            continue
+        _into_own_lane(entity, own, cast, clauses)
+        where = of[entity]
+        where.lane = "same" if number == own else "right" if (number > own) is rightwards else "left"
+        where.side = where.lane if number != own else where.side
+        shifts = any(e.agent is entity and e.done and e.act in SHIFTS for e in clauses.events)
+        where.rel = where.rel or ("ahead" if number == own else None if shifts else "beside")
+    for entity, where in of.items():
+        if where.lane in (None, "same"):
+            _out_of_own_lane(entity, own, clauses, rightwards=rightwards)
+    return _named(own, total, rightwards)
+
+
+def _told(entity: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> list[str]:
+    """What is said of where one is: its clauses, its phrases, and the words after it."""
+    acts = STATES | {"lane_change", "keep_lane"}
+    texts = [e.whole for e in clauses.events if e.agent is entity and e.act in acts]
+    texts = [INTO.sub("", text) for text in texts]
+    texts += [t for _, t in of[entity].phrases] if entity in of else []
+    for mention in entity.mentions:
+        first = cast.words[mention.word]
+        after = [w for w in cast.words[first.i + 1 : first.i + 11] if w.sentence == first.sentence]
+        texts.append(INTO.sub("", " ".join(w.norm for w in after)))
+    return texts
+
+
+def _plain(cast: Cast) -> str:
+    return " ".join(w.norm for w in cast.words)
+
+
+def _total(cast: Cast) -> int | None:
+    """How many lanes there are, where that is said."""
+    match = TOTAL.search(_plain(cast))
+    return lanes.counted(match["n"] or match["m"] or match["k"]) if match else None
+
+
+def _named(own: int, total: int | None, rightwards: bool) -> str:
+    first, last = ("leftmost", "rightmost") if rightwards else ("rightmost", "leftmost")
+    if own == 1:
+        return first
+    return last if own == total or own > 2 and total is None else "middle"
+
+
+def _into_own_lane(entity: Entity, own: int, cast: Cast, clauses: Clauses) -> None:
+    """Who changes into the lane of ego's number cuts in."""
+    for event in clauses.events:
+        match = INTO.search(event.text)
+        if event.agent is entity and event.done and event.act == "lane_change" and match:
+            event.act, event.patient = "cut_in", cast.ego
+
+
+def _out_of_own_lane(entity: Entity, own: int, clauses: Clauses, *, rightwards: bool) -> None:
+    """Who changes from ego's lane into one of another number goes to the side where that one is."""
+    for event in clauses.events:
+        match = INTO.search(event.text)
+        goal = lanes.counted(match["n"] or match["o"]) if match else own
+        if event.agent is entity and event.act in SHIFTS and goal != own and event.side is None:
+            event.side = "right" if (goal > own) is rightwards else "left"
+
+
+def _from_right(numbers: dict[Entity, int], cast: Cast, clauses: Clauses) -> bool:
+    """Whether lanes are counted from the right: so a lane is called, or so one changes lanes or passes."""
+    ordered = FROM_SIDE.search(_plain(cast))
+    if ordered is not None:
+        return "right" in (ordered["side"], ordered["side2"])
+    own = numbers[cast.ego]
+    for event in clauses.events:
+        number = numbers.get(event.agent)
+        match = re.search(r"\b(left|right)\b", event.text)
+        if number is None or match is None or not event.done:
+            continue
+        _next_struck(event, clauses, numbers)
+        into = INTO.search(event.text)
+        goal = lanes.counted(into["n"] or into["o"]) if into else own if "@ego" in event.text else number
+        if event.act in SHIFTS and goal != number:
+            return (match[1] == "left") == (number < goal)
+    return False
+
+
+def _next_struck(event: Event, clauses: Clauses, numbers: dict[Entity, int]) -> int | None:
+    """The number of the lane in which is whom somebody hits who has just moved to a side."""
+    after = (e for e in clauses.events if e.agent is event.agent and e.act == "collide" and e.done)
+    hit = next((e for e in after if 0 < e.order - event.order < NEAR), None)
+    return numbers.get(hit.patient) if hit is not None and hit.patient is not None else None

@@ -19,6 +19,7 @@ from c2s_engine.interpret.where.closures import in_closed_lanes
 from c2s_engine.interpret.where.groups import abreast, split_groups
 from c2s_engine.interpret.where.implied import implied_places
 from c2s_engine.interpret.where.inferred import Inferred
+from c2s_engine.interpret.where.lane_numbers import number_lanes
 from c2s_engine.interpret.where.own_words import DIRECTED, PLACING, OwnWords
 from c2s_engine.interpret.where.places_in import WHY, places_in
 from c2s_engine.interpret.where.revealed import reveal
@@ -78,6 +79,7 @@ class Places(OwnWords, Inferred):
         self._joined()
         self._encroached()
         self._shared()
+        self.ego_lane = self.ego_lane or number_lanes(cast, clauses, self.of)
         self._overtaken()
         self._in_the_way()
         self._mutual()

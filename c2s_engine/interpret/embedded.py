@@ -26,7 +26,10 @@ OF_THE_ROAD = re.compile(
 
 NOT_ENGLISH = "This is no English text: describe the scene in English, for example “a car cuts in ahead of ego”."
 
-READ_AT_MOST = 20_000
+MOST_OBJECTS = 99
+"""O1 to O99 are the names that S has; who is told of beyond them is listed as not understood."""
+
+READ_AT_MOST = 12_000
 """Characters of a text that are read; the rest is listed as not understood."""
 
 
@@ -46,7 +49,8 @@ def faults() -> Iterator[None]:
     except (InterpretError, InterpreterFault):
         raise
     except Exception as error:
-        at = traceback.extract_tb(error.__traceback__)[-1]
+        frames = traceback.extract_tb(error.__traceback__)
+        at = next(f for f in reversed(frames) if "c2s_engine" in Path(f.filename).parts)
         raise InterpreterFault(
             f"c2s failed at this text ({type(error).__name__} in {Path(at.filename).name}, line {at.lineno}); the "
             "fault is in c2s, please report it with the text. Nothing was changed; shorter sentences may do."
@@ -86,6 +90,7 @@ class EmbeddedInterpreter:
                 "Nothing in the text tells of a driving scene: name the vehicles or people, where they "
                 "are and what they do."
             )
+        understood.actors = understood.actors[:MOST_OBJECTS]
         result = accounted(understood, compose.compose(understood), mended.text)
         result = _on_original(result, mended, text)
         stages = _spans_back(_stages(understood), mended)

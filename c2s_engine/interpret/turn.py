@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes import asked, notes, put, refine
+from c2s_engine.interpret.changes import asked, notes, put, refine, retold
 from c2s_engine.interpret.changes.corrected import Last, after, corrected, differences, of_the_same
 from c2s_engine.interpret.changes.pointed import missing
 from c2s_engine.interpret.changes.refer import refer
@@ -86,7 +86,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
         return Turn("question", span=whole)
     if structure is None or not structure.text and not structure.objects:
         return Turn("scenario", span=whole)
-    demanded = plain
+    demanded = asked.demanded(plain)
     plain = notes.text_of(demanded, structure)
     commanding = bool(re.match(table["commands"], plain)) or bool(re.search(table["marks"], plain))
     if (
@@ -167,8 +167,8 @@ def _of_those_there(plain: str, structure: Structure) -> bool:
 def _adds(plain: str, structure: Structure) -> bool:
     """Whether a text only tells of somebody new in the scene that is there."""
     table = language.table("refine")["told"]
-    re.sub(table["meanwhile"], " ", plain)
-    return bool(re.match(table["adds"], plain))
+    apart = re.sub(table["meanwhile"], " ", plain)
+    return bool(re.match(table["adds"], plain)) and not retold.tells_ego(apart, structure)
 
 
 def _goes_on(plain: str, structure: Structure) -> bool:

@@ -4,6 +4,7 @@ import re
 from typing import Any
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.reading import scan
 
 
 def _table() -> dict[str, Any]:
@@ -16,10 +17,18 @@ def supposed(plain: str) -> str:
     match = next((m for pattern in _table()["supposed"] if (m := re.match(pattern, plain))), None)
     if not match:
         return ""
-    said = match["said"].strip()
+    said = _present(match["said"].strip())
     said = re.sub(r"^there (?:were|was|is|are) (?:also )?", "add ", said)
     subject = r"(?!add )(?P<what>(?:(?!\b(?:when|if|once|after|while|who|that|which)\b).)+?)"
     return re.sub(rf"^{subject} (?:were|was|is|are|be) (?P<how>.+)$", r"make \g<what> \g<how>", said)
+
+
+def _present(said: str) -> str:
+    """What is supposed in the past tense, in the present."""
+    table = language.table("wordings")["supposed_past"]
+    forms = table["forms"]
+    pattern = rf"{table['after']}(?P<verb>{'|'.join(forms)})\b(?! (?:overtaken|passed|followed|hit|replaced|removed)\b)"
+    return re.sub(pattern, lambda m: f"{m['before']}{forms[m['verb']]}", said)
 
 
 def requested(plain: str) -> str:
@@ -29,7 +38,7 @@ def requested(plain: str) -> str:
         said, number = re.subn(rf"^(?:please |and |so |ok,? )?(?:{pattern})", new, plain)
         if number:
             first, _, rest = said.rstrip("? ").partition(" ")
-            return f"{table['orders'].get(first, first)} {rest}"
+            return _present(f"{table['orders'].get(first, first)} {rest}")
     return ""
 
 
@@ -37,6 +46,22 @@ def asks(plain: str) -> bool:
     """Whether a text only asks; a demand behind the question ("why so slow? make it 50") makes it none."""
     sentences = _sentences(plain)
     return any(map(_asks, sentences)) and all(_asks(s) for s in sentences)
+
+
+def demanded(plain: str) -> str:
+    """The text without the questions in it, where it asks and demands."""
+    sentences = _sentences(plain)
+    rest = [s for s in sentences if not _asks(s)]
+    demands = any(re.search(_table()["asking"]["demands"], s) for s in rest)
+    if not rest or not demands or len(rest) == len(sentences):
+        return plain
+    named = [s[n.start : n.end] for s in sentences if s not in rest for n in scan.names(s) if n.kind == "actor"]
+    said = ". ".join(rest)
+    for judged in (m for s in sentences if s not in rest if (m := re.search(_table()["asking"]["judged"], s))):
+        whose = judged["who"] or judged["whom"]
+        others = not whose and any(n.kind == "actor" for n in scan.names(said))
+        return said if others else f"{whose or 'ego'} is too {judged['how']}. {said}"
+    return re.sub(r"\b(?:it|he|she|they|him|them)\b", f"the {named[0]}", said, count=1) if named else said
 
 
 def _sentences(plain: str) -> list[str]:

@@ -8,8 +8,9 @@ from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
 from c2s_engine.interpret.composing import describe
 from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.interpret.reading import amounts, scan
+from c2s_engine.interpret.spans import Span
 from c2s_engine.structure.components import Component, ComponentId, Structure
-from c2s_engine.structure.specs import EgoSpec, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, PlaceSpec, SettingsSpec
 
 
 def table() -> dict[str, str]:
@@ -23,7 +24,7 @@ def indicative(clause: str, structure: Structure) -> str | None:
     forms = table()
     said = re.sub(forms["beside_the_point"], " ", clause).strip(" ,")
     said = re.sub(r"\bo(\d+)\b", lambda m: _called(f"O{m[1]}", structure), said)
-    said = re.sub(r"\bi\b", "I", said)
+    said = re.sub(r"\bi\b", "I", _settled(said, structure))
     if (begins := re.match(forms["begins"], said)) and (who := refer(begins["who"], structure, alone=False)):
         first = next(iter(getattr(who.spec, "phases", ())), None)
         if first is not None:
@@ -43,7 +44,7 @@ def indicative(clause: str, structure: Structure) -> str | None:
         return None
     first = named[0]
     bare = first.kind == "actor" and first.start == 0 and not first.data.get("plural") and " " in said[first.end - 1 :]
-    meant = refer(said[: first.end], structure, alone=False) if bare else None
+    meant = refer(said[: first.end], structure, alone=False) if bare or _all_act(first, said) else None
     if meant is not None:
         said = f"the {said}"
     if match := re.match(forms["causes"], said):
@@ -55,6 +56,29 @@ def indicative(clause: str, structure: Structure) -> str | None:
         said = re.sub(forms["pauses"], r"\g<before>stop for \g<time>", said)
     said = re.sub(forms["demands"], "will", said)
     return re.sub(forms["beside_on"], r"the \g<who>\g<where> on the \g<side>", said)
+
+
+def _all_act(first: Span, said: str) -> bool:
+    """Whether a text begins with several who are told to do something: "pedestrians should stand at the kerb"."""
+    several = first.kind == "actor" and first.start == 0 and bool(first.data.get("plural"))
+    return several and bool(re.match(table()["all_act"], said[first.end :]))
+
+
+def _settled(said: str, structure: Structure) -> str:
+    """The demand with the nouns by which the scene calls those who are there: an animal for "the dog"."""
+    for span in reversed(scan.names(said)):
+        before = said[: span.start]
+        if span.kind != "actor" or span.data.get("plural") or span.data.get("roles") or re.search(r"\ban? $", before):
+            continue
+        meant = refer(f"the {said[span.start : span.end]}", structure, alone=False)
+        same = meant is not None and meant.id != "E" and spec_of(meant).count == 1
+        if meant is None or not same or span.data["type"] not in PERSONS:
+            continue
+        if spec_of(meant).type not in (span.data["type"], "bicycle", "motorcycle"):
+            continue
+        article = "" if re.search(r"\b(?:the|that|this|second|other|another|more)(?: \w+)? $", before) else "the "
+        said = f"{before}{article}{_noun(meant)}{said[span.end :]}"
+    return said
 
 
 def _called(cid: ComponentId, structure: Structure) -> str:
@@ -112,3 +136,18 @@ def read(text: str) -> Structure | None:
         return EmbeddedInterpreter().interpret(text).structure
     except InterpretError:
         return None
+
+
+def tells_ego(text: str, structure: Structure) -> bool:
+    """Whether a text says where ego is, how fast it goes or what it does: then it is a scene, no addition to one."""
+    found = read(text)
+    if found is None or not found.objects:
+        return True
+    ego, place, settings = found.ego.spec, found.place.spec, found.settings.spec
+    assert isinstance(ego, EgoSpec) and isinstance(place, PlaceSpec) and isinstance(settings, SettingsSpec)
+    assumed = {(c.id, a.field) for c in found.components for a in c.assumed}
+    named = any(s.kind == "ego" for s in scan.names(scan.normalised(text)))
+    drives = named and (bool(ego.phases) or ego.speed is not None and ("E", "speed") not in assumed)
+    here = getattr(structure.place.spec, "kind", "road")
+    elsewhere = place.kind not in ("road", here) and ("R", "kind") not in assumed
+    return drives or elsewhere

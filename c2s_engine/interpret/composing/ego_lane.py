@@ -39,6 +39,7 @@ def ego_lane_of(scene: Scene) -> str | None:
         listed = next((i for i in below if i > mention.word and scene.cast.of.get(i, ego) is not ego), len(scene.words))
         below = [i for i in below if i < listed or scene.words[listed].dep != "appos"]  # "ahead of ego, one in the ..."
         texts.append(" ".join(scene.words[i].norm for i in below if i > mention.word))
+    texts += _lanes_where(scene)
     if same := next((m for t in texts if (m := SAME_LANE.search(t))), None):
         begins = min((m.start for m in ego.mentions if f"{same[0]}" in scene.plain[m.start : m.start + 90]), default=0)
         if named := scene.places._last_lane(begins):
@@ -57,6 +58,19 @@ def ego_lane_of(scene: Scene) -> str | None:
     text = scene.plain
     match = re.search(r"in the (left|right)(-hand)? lane, which is also (the )?ego", text)
     return None
+
+
+def _lanes_where(scene: Scene) -> list[str]:
+    """The lanes in which ego is said to drive by a relative clause: "the right lane, where ego drives"."""
+    found = []
+    for event in scene.events(scene.cast.ego):
+        word = scene.words[event.word]
+        lane = scene.words[word.head]
+        if scene.words[lane.head].norm == "of":  # "the left lane of the freeway, where ego drives"
+            lane = scene.words[scene.words[lane.head].head]
+        if word.dep in ("relcl", "advcl", "acl") and lane.norm in ("lane", "one") and lane.i < word.i:
+            found.append("in " + " ".join(scene.words[i].norm for i in scene.clauses._below(lane.i) if i <= lane.i))
+    return found
 
 
 SAME_LANE = re.compile(r"\bin (?:that|the) (?:very |same )+lane\b(?! as)")

@@ -5,8 +5,11 @@ import re
 from c2s_engine.interpret.composing.lasting import lasting
 from c2s_engine.interpret.composing.steps import steps_of
 from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import Phase, Placement, PlaceSpec
+
+ONLY_HOW = re.compile(r"\w+[ ,.;)(]*(?:(?:at )?#speed[ ,.;)]*)?")
 
 
 def phases_of(
@@ -32,6 +35,8 @@ def phases_of(
         found += lasting(event, steps_of(scene, event, entity, who, ego_key, placement, place, crossing, found))
     if "stationary" in entity.roles and not any(p.action not in ("stationary", "wait") for p in found):
         found = [Phase(action="stationary")]
+    if entity.person and [p.action for p in found[:2]] == ["move_along", "cross_road"] and _only_how(scene, events):
+        found = found[1:]
     if entity.person and not found and not entity.roles and placement.position in ("sidewalk", "roadside"):
         near = " ".join(w.norm for w in scene.words[entity.mentions[0].word : entity.mentions[0].word + 7])
         on_it = place.crosswalk and re.search(r"cross|zebra", near) is not None
@@ -50,6 +55,10 @@ def phases_of(
     if stands and _run_into(scene, entity):
         found = [p for p in found if p.action != "collide" or p.target == ego_key]  # it is only pushed on
     found = _merged(found)
+    found = [p for p in found if p.action != "overtake" or not _backed_into(scene, entity)]
+    if crossing and [p.action for p in found[:2]] == ["go_straight", "stop"] and _at_the_line(events):
+        onwards = [] if found[-1].action == "start" else [found[0]]
+        found = [*found[1:], *onwards]
     if "stationary" in entity.roles and [p.action for p in found] == ["stop"]:
         found = [Phase(action="stationary")]
     if crossing and not any(
@@ -85,9 +94,27 @@ def phases_of(
     return found[:8]
 
 
+def _only_how(scene: Scene, events: list[Event]) -> bool:
+    """Whether its first event only tells how it moves: "a child (running, 5 km/h) comes out from behind a van"."""
+    first = events[0]
+    how = scene.words[first.word].tag == "VBG" and ONLY_HOW.fullmatch(first.text) is not None
+    return how and first.trigger is None
+
+
 def _run_into(scene: Scene, entity: Entity) -> bool:
     """Whether ego runs into it."""
     return any(e.act == "collide" and e.patient is entity for e in scene.events(scene.cast.ego))
+
+
+def _backed_into(scene: Scene, entity: Entity) -> bool:
+    """Whether ego hits it in reverse: it does not get by."""
+    return scene.does(scene.cast.ego, "reverse") is not None and _run_into(scene, entity)
+
+
+def _at_the_line(events: list[Event]) -> bool:
+    """Whether one who crosses stops before the junction."""
+    line = re.compile(r"\b(?:sign|line|light|signal|before)\b")
+    return any(e.act in ("stop", "brake_stop") and line.search(e.text) for e in events)
 
 
 def _stands(scene: Scene, entity: Entity) -> bool:

@@ -4,6 +4,7 @@ import re
 
 from c2s_engine.interpret.composing.ego_lane import ego_lane_of
 from c2s_engine.interpret.placing.arms import in_another_arm
+from c2s_engine.interpret.placing.compass import compass
 from c2s_engine.interpret.placing.lengthwise import at_edge, wrong_way
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.surroundings import place as places
@@ -76,6 +77,9 @@ def compose_place(scene: Scene) -> PlaceSpec:
             ego_lane = "leftmost" if lanes == 2 else None
     if kind is None:
         kind = "curve" if road.bend else "motorway" if road.ramp else None
+    on_ramp = road.ramp and _ego_on_ramp(scene)
+    if on_ramp:
+        kind = "on_ramp"
     if kind is None:
         kind = "straight" if road.straight or road.no_intersection else "road"
     if kind == "road" and road.crosswalk and not at_junction:
@@ -145,11 +149,27 @@ def _at_junction(scene: Scene) -> bool:
     ]
     if any(e.agent.type in MOTOR and scene.where(e.agent).lane is None for e in meets):
         return not scene.road.no_intersection
+    if any(_from_other_road(scene, e) for e in scene.actors):
+        return not scene.road.no_intersection
     return (
         bool(crossing)
         and not scene.road.no_intersection
         and any(e.act in ("cross_path", "go_straight", "collide", "yield", "run_stop") for e in scene.clauses.events)
     )
+
+
+def _from_other_road(scene: Scene, who: Entity) -> bool:
+    """Whether one that drives across ego's direction, by the compass, turns there or meets ego: at a junction."""
+    where = scene.where(who)
+    if who.type not in MOTOR or where.lane not in (None, "same", "crossing") or where.rel is not None:
+        return False
+    acts = {e.act for e in scene.events(who)}
+    meets = who in _struck(scene) or any(
+        e.act == "collide" and (e.patient is None or e.patient.ego) for e in scene.events(who)
+    )
+    if acts & {"enter_road", "reverse", "u_turn", "stationary"} or not (meets or "turn" in acts):
+        return False
+    return compass(scene, who) in ("left", "right")
 
 
 def _struck(scene: Scene) -> list[Entity | None]:
@@ -161,12 +181,30 @@ def _ends_before(scene: Scene) -> bool:
     return scene.does(scene.cast.ego, "stop", "stationary", "brake_stop") is not None
 
 
+ON_RAMP = re.compile(
+    r"on-?ramp|acceleration lane|slip road|entrance ramp|entry ramp|ramp"
+    r"|merg\w+ (on)?to the (motorway|highway|freeway|interstate)|join\w* (the |a )?(motorway"
+    r"|highway|freeway|interstate)"
+)
+
+
+def _ego_on_ramp(scene: Scene) -> bool:
+    for event in scene.events(scene.cast.ego):
+        whole = re.sub(r"(off|exit)[- ]?ramp", "", event.whole)
+        match = ON_RAMP.search(whole)
+        if match:
+            return True
+        if event.act == "lane_change" and re.search(r"\bmerg\w+|join", event.text):
+            return True
+    return False
+
+
 def _one_of_two(scene: Scene) -> None:
     """Place those ahead in ego's own lane who are told to be in one of two lanes, where others are in the other one, or
     ego goes there: "two lanes; a crate lies in the right lane, a car is beside ego in the left lane"."""
     if ego_lane_of(scene) is not None or lanes_of(scene.plain, counted_only=True)[0] != 2:
         return
-    there = {s: [] for s in OPPOSITE}
+    there = {s: [e for e in scene.actors if scene.where(e).lane == s and _by_ego(scene, e)] for s in OPPOSITE}
     goes = next((side(e) for e in scene.events(scene.cast.ego) if e.act in ("lane_change", "cut_out")), None)
     if not any(there.values()) or not all(there[s] or goes == s for s in OPPOSITE):
         return
@@ -176,6 +214,11 @@ def _one_of_two(scene: Scene) -> None:
     for entity in there[own]:
         where = scene.where(entity)
         where.lane, where.rel = "same", where.rel or "ahead"
+
+
+def _by_ego(scene: Scene, entity: Entity) -> bool:
+    """Whether it is placed by ego or by nobody."""
+    return scene.where(entity).of in (None, scene.cast.ego)
 
 
 def _neighbours(scene: Scene, at_junction: bool) -> tuple[bool, bool, bool]:

@@ -2,7 +2,7 @@
 
 import re
 
-from c2s_engine.interpret.placing.compass import roadside
+from c2s_engine.interpret.placing.compass import compass, roadside
 from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, at_edge, passes_ego, told_of, wrong_way
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.scene import side as move_side
@@ -23,7 +23,7 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
     if "overtake" in acts and not walks_over and (where.lane is None and not where.rel or passes_ego(scene, entity)):
         return {"position": "behind", "said": True}
     crosses = "cross_road" in acts or "enter_road" in acts or "cut_in" in acts and entity.person
-    crosses = crosses or entity.person and "crossing" in entity.roles
+    crosses = crosses or _on_crosswalk(scene, entity, acts) or entity.person and "crossing" in entity.roles
     along = "move_along" in acts and not crosses
     text = " ".join(e.whole for e in scene.events(entity)) + " " + " ".join(t for _, t in where.phrases)
     edge = (
@@ -80,7 +80,11 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         )
         return {
             "position": position,
-            "side": _from_side(text) or edge or "right",
+            "side": _from_side(text)
+            or edge
+            or _by_compass(scene, entity)
+            or _behind_whom(scene, where, text)
+            or "right",
             "said": where.lane is not None or where.side is not None,
         }
     if (
@@ -118,7 +122,7 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             return {
                 "position": "partly_in_lane" if inside else "sidewalk" if where.lane == "sidewalk" else "roadside",
                 "side": edge or "right",
-                "facing": None,
+                "facing": _facing(scene, entity, text),
                 "said": True,
             }
         if entity.type == "bicycle" and (
@@ -135,7 +139,7 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             return {
                 "position": "partly_in_lane",
                 "side": edge or "right",
-                "facing": None,
+                "facing": _facing(scene, entity, text),
                 "said": where.lane is not None,
             }
         if entity.type == "bicycle" and where.side and where.lane is None:
@@ -161,6 +165,14 @@ def _behind_ego(where: Where) -> bool:
     return where.rel == "behind" and of_ego and where.hidden_by is None
 
 
+def _on_crosswalk(scene: Scene, entity: Entity, acts: list[str]) -> bool:
+    """Whether a person or cyclist of whom no act is told is on a crosswalk: then it crosses."""
+    if acts or not (entity.person or entity.type == "bicycle") or not scene.road.crosswalk or entity.roles:
+        return False
+    words = scene.words[entity.mentions[0].word : entity.mentions[0].word + 7]
+    return bool(re.search(r"cross|zebra", " ".join(w.norm for w in words)))
+
+
 def _sentence_side(scene: Scene, entity: Entity) -> str | None:
     """The side that the sentence of a person's first mention names for it."""
     first = entity.mentions[0]
@@ -171,6 +183,37 @@ def _sentence_side(scene: Scene, entity: Entity) -> str | None:
     return (match[1] or match[2]) if match else None
 
 
+def _facing(scene: Scene, entity: Entity, text: str) -> str | None:
+    sentence = scene.words[entity.mentions[0].word].sentence
+    words = " ".join(w.norm for w in scene.words if w.sentence == sentence)
+    faces = re.search(r"\bfacing (the )?(oncoming )?traffic\b", words)
+    against = r"facing (the )?(traffic|oncoming)|against (the )?traffic|towards (the )?@ego|facing (the )?@ego"
+    return "against" if faces or re.search(against, text) else None
+
+
 def _from_side(text: str) -> str | None:
     match = re.search(r"from (the |its |@\w+ 's )?(far |opposite )?(left|right)", text)
     return match[3] if match else None
+
+
+def _by_compass(scene: Scene, entity: Entity) -> str | None:
+    """The side that a person comes from, where it walks "from west to east" and ego's heading is told."""
+    found = compass(scene, entity)
+    return found if found in ("left", "right") else None
+
+
+LEFT = re.compile(r"\b(?:from|out of|off|leave|exit) (?:the |a |an )?(?:\w+ )?@KEY\b")
+
+
+def _keyed(text: str, entity: Entity) -> str:
+    """A text in which one road user is called KEY."""
+    return re.sub(rf"@{entity.key}\b", "@KEY", text)
+
+
+def _behind_whom(scene: Scene, where: Where, told: str = "") -> str | None:
+    """The side of one who hides somebody or whom it leaves, where that stands on one side or comes the other way."""
+    blocker = where.hidden_by or next((e for e in scene.actors if LEFT.search(_keyed(told, e))), None)
+    theirs = scene.where(blocker) if blocker is not None else None
+    if theirs is None:
+        return None
+    return "left" if theirs.lane == "oncoming" else theirs.side

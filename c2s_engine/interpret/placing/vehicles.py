@@ -8,7 +8,9 @@ from c2s_engine.interpret.placing.compass import compass, roadside
 from c2s_engine.interpret.placing.implied_starts import implied_start
 from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, passes_ego, told_along, told_of, wrong_way
 from c2s_engine.interpret.scene import Scene, side
+from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.overtakings import PART
+from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.interpret.where.relations import Where, side_of_text
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import PlaceSpec
@@ -26,10 +28,14 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         return facing_ego(where, place)
     if place.kind == "roundabout" and CIRCULATES.search(told_of(scene, entity)):
         return {"position": "crossing_left", "said": True}
+    if place.kind == "roundabout" and _enters_before_ego(scene, entity):
+        return {"position": "crossing_right", "said": True}
     junction = place.kind == "intersection"
     lane, rel, edge = where.lane, where.rel, where.side
     if lane in (None, "same") and (where.of is None or where.of.ego) and MIDDLE.search(told_of(scene, entity)):
         lane = {"leftmost": "right", "rightmost": "left"}.get(place.ego_lane or "", lane)
+    if lane == "same" and rel is None and "reverse" not in acts and _runs_into_ego(scene, entity):
+        rel = "behind"
     if rel is not None and passes_ego(scene, entity):
         rel = "behind"  # where it comes to be is said with the same words
     if rel == "beside" and where.of is None and _met(scene, entity) == "ahead":
@@ -74,8 +80,11 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             "said": True,
         }
     if lane == "oncoming" or "oncoming" in roles:
+        by = where.of if where.of is not entity else None
+        if rel in ("behind", "ahead") and by is not None and _oncoming(scene, by):
+            return {"position": rel, "said": True}  # seen from another one of them
         return {
-            "position": "opposite_approach" if junction else "oncoming_lane",
+            "position": "opposite_approach" if junction and not _before_junction(text) else "oncoming_lane",
             "said": True,
         }
     if lane == "crossing" and "cut_in" in roles and not junction and edge:
@@ -104,7 +113,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         return {"position": "right_lane", "along": "ahead", "said": True}
     if lane == "adjacent" or "adjacent" in roles:
         free = {"leftmost": "right", "rightmost": "left"}.get(place.ego_lane or "")
-        edge = edge or free or "left"
+        edge = edge or _cut_side(scene, entity) or free or "left"
         return {
             "position": f"{edge}_lane",
             "along": along_of(rel or ("behind" if "overtake" in acts else None)),
@@ -117,7 +126,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     scene.does(entity, "lane_change", "cut_in", "drift")
     if "cut_in" in acts or "cut_in" in roles:
         event = scene.does(entity, "cut_in")
-        start = "left"
+        start = _cut_side(scene, entity) or "left"
         if place.ego_lane == "leftmost":
             start = "right"
         parted = rel == "behind" and any(e.mode == PART and e.agent is entity for e in scene.clauses.events)
@@ -130,13 +139,13 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         if (
             lane == "same"
             or (place.oncoming or place.lanes in (None, 1) and place.kind not in ("motorway",))
-            and None != "right"
+            and _cut_side(scene, entity) != "right"
             or scene.does(entity, "leave_road") is not None
-            or (rel == "behind")
+            or (rel == "behind" or first is not None and first.act == "follow" and _of_ego(first))
             and (entity.type in URGENT or "lane_change" in acts[: acts.index("overtake")])  # out of ego's lane
         ):
             return {"position": "behind", "said": True}
-        lateral = "left"
+        lateral = _cut_side(scene, entity) or "left"
         return {
             "position": f"{lateral}_lane" if place.ego_lane != "leftmost" or lateral == "right" else "behind",
             "along": "behind",
@@ -151,6 +160,11 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     return implied_start(scene, entity, acts, place, first)
 
 
+def _of_ego(event: Event) -> bool:
+    """Whether what another does is about ego."""
+    return event.patient is not None and event.patient.ego
+
+
 def _passed_from_left_lane(scene: Scene, entity: Entity, place: PlaceSpec) -> bool:
     """Whether ego passes it from the left lane in which it drives already: then it is in the right one."""
     ego = scene.cast.ego
@@ -159,6 +173,14 @@ def _passed_from_left_lane(scene: Scene, entity: Entity, place: PlaceSpec) -> bo
         return False
     before = [e for e in scene.events(ego) if e.order < passing.order]
     return not any(e.act in ("lane_change", "oncoming") or e.patient is entity for e in before)
+
+
+def _enters_before_ego(scene: Scene, entity: Entity) -> bool:
+    """Whether one enters the roundabout in which ego drives, or before it without giving way."""
+    enters = [e for e in scene.events(entity) if re.match(r"(enter|drive into|pull (out )?into|join)\b", e.text)]
+    inside = any(CIRCULATES.search(e.whole) for e in scene.events(scene.cast.ego))
+    denied = any(e.agent is entity and re.match(r"(yield|give way)\b", e.text) for e in scene.clauses.events)
+    return bool(enters) and (inside or denied)
 
 
 def facing_ego(where: Where, place: PlaceSpec) -> dict:
@@ -171,7 +193,39 @@ def facing_ego(where: Where, place: PlaceSpec) -> dict:
     return {"position": f"{lane}_lane", "along": "ahead", "facing": "against", "said": True}
 
 
+def _runs_into_ego(scene: Scene, entity: Entity) -> bool:
+    """Whether one hits ego and does nothing before that only one ahead does."""
+    hit = scene.does(entity, "collide")
+    return hit is not None and hit.agent is entity and hit.patient is not None and hit.patient.ego
+
+
 def _met(scene: Scene, entity: Entity) -> str | None:
     """Ahead, where ego approaches or follows it."""
     met = any(e.patient is entity and e.act in ("approach", "follow", "held_up") for e in scene.events(scene.cast.ego))
     return "ahead" if met else None
+
+
+def _cut_side(scene: Scene, entity: Entity) -> str | None:
+    """The side that one who cuts in comes from."""
+    for event in scene.events(entity):
+        if event.act == "overtake" and event.side is not None:
+            return event.side  # "undertakes"
+        if event.act in ("cut_in", "lane_change", "overtake"):
+            match = re.search(
+                r"from (the |its )?(adjacent |next |neighbou?ring )?(left|right)|(on|in) (the |its )?(left|right)",
+                event.whole,
+            )
+            if match:
+                return match[3] or match[6]
+            towards = side(event)
+            if towards and event.act != "overtake":
+                return OPPOSITE[towards]
+    return None
+
+
+def _before_junction(text: str) -> bool:
+    return bool(re.search(r"before the (intersection|junction)|in the oncoming lane", text))
+
+
+def _oncoming(scene: Scene, other: Entity) -> bool:
+    return not other.ego and ("oncoming" in other.roles or scene.where(other).lane == "oncoming")

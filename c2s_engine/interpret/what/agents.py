@@ -11,7 +11,9 @@ from c2s_engine.interpret.who.mentions import Cast, Entity
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.what.event import Event
+PACE = frozenset(("speed", "velocity", "pace"))
 BELIEVED = language.words("believed")
+ALONG = frozenset(("past", "across", "along", "through", "around", "round"))
 
 
 class Agents(Subjectless):
@@ -21,6 +23,15 @@ class Agents(Subjectless):
     cast: Cast
     events: list[Event]
     by_word: dict[int, Event]
+
+    def _whose_speed(self, word: Word) -> Entity | None:
+        """Whose speed it is that rises or falls: "its speed drops", "the speed of the car increases"."""
+        if word.norm not in PACE:
+            return None
+        owners = [self.words[c] for c in word.children if self.words[c].dep == "poss"]
+        of = [self.words[c] for c in word.children if self.words[c].norm == "of"]
+        owners += [self.words[c] for prep in of for c in prep.children if self.words[c].dep == "pobj"]
+        return next((found for owner in owners if (found := self.cast.referent(owner.i)) is not None), None)
 
     def _subject(self, word: Word, depth: int = 0) -> tuple[Entity | None, int | None, bool]:
         """(agent, its word, whether the verb is passive)."""
@@ -52,13 +63,16 @@ class Agents(Subjectless):
                     near = [t for t in self._everything(child) if t in self.cast.of and t - child <= 4]
                     if near:
                         return self.cast.of[near[0]], near[0], True
-            whom = next((self.cast.referent(c) for c in subjects), None)
+            by = self._late_by(word)
+            if by is not None:
+                return self.cast.of[by], by, True
+            whom = next((self.cast.referent(c) or self._whose_speed(self.words[c]) for c in subjects), None)
             if whom is None:
                 whom = self._inherited(word, depth)[0]
             return (None, None, True) if whom is None else (whom, subjects[0] if subjects else None, True)
         for child in subjects:
             other = self.words[child]
-            found = self.cast.referent(child) or self._reduced(other)
+            found = self.cast.referent(child) or self._reduced(other) or self._whose_speed(other)
             if found:
                 return found, child, False
             if other.lemma in ("there",) or other.dep == "expl":
@@ -92,6 +106,9 @@ class Agents(Subjectless):
         told = self._after_bracket(word)
         if told is not None:
             return self.cast.of[told], told, False
+        beside = self._joined_subject(word)
+        if beside is not None:
+            return self.cast.of[beside], beside, False
         return self._inherited(word, depth)
 
     def _reduced(self, word: Word) -> Entity | None:
@@ -111,6 +128,12 @@ class Agents(Subjectless):
                 if (
                     child < word.i
                     and self.words[child].dep == "ccomp"
+                    and (nearer := self._nearer_subject(child, word.i)) is not None
+                ):
+                    return nearer, word.i, False
+                if (
+                    child < word.i
+                    and self.words[child].dep == "ccomp"
                     and any(self.words[c].dep == "nsubj" for c in self.words[child].children)
                 ):
                     return self._subject(self.words[child], depth + 1)
@@ -125,7 +148,7 @@ class Agents(Subjectless):
                                 actor = self.cast.referent(target)
                                 if actor:
                                     return actor, target, True
-                return found, head.i, word.dep == "acl" and word.tag == "VBN"
+                return found, head.i, word.dep == "acl" and word.tag == "VBN" and not self._went(word, head)
             if word.dep == "acl" and head.tag.startswith("NN"):
                 above = self._governor(head)
                 bound = word.tag == "VB" or word.tag == "VBG" and head.dep != "pobj"  # "over a tyre lying there"
@@ -157,6 +180,9 @@ class Agents(Subjectless):
                 return agent, at, False
         if word.dep in ("pcomp", "advcl", "conj", "parataxis", "dep", "csubj", "prep", "amod", "appos", "punct"):
             above = head if head.verb or self._is_verb(head) else self._governor(head)
+            kept = self._kept_from(word, above)
+            if kept is not None:
+                return self.cast.referent(kept), kept, False
             if word.dep == "pcomp" and above is not None and above.dep == "ccomp" and head.norm == "before":
                 letting = self.words[above.head]
                 above = letting if letting.lemma in ("let", "allow") else above  # "let it pass before turning"
@@ -212,8 +238,15 @@ class Agents(Subjectless):
                     passed = [c for c in above.children if self.words[c].dep == "nsubjpass"]
                     if passed and self.cast.referent(passed[0]):
                         return self.cast.referent(passed[0]), passed[0], False
+                    if above.dep == "ROOT" and not passed and self._headless(above):
+                        return None, None, False
                 return agent, at, False
         return self._inverted(word)
+
+    def _went(self, word: Word, head: Word) -> bool:
+        """Whether a past tense was taken for a participle: "a scooter squeezed past ego"."""
+        alone = head.dep == "ROOT" and word.i == head.i + 1 and word.norm.endswith("ed")
+        return alone and any(self.words[c].norm in ALONG for c in word.children)
 
     def _inverted(self, word: Word) -> tuple[Entity | None, int | None, bool]:
         """ "Up from behind comes a motorcyclist"; "standing in the lane is a car"."""

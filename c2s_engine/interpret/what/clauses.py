@@ -17,7 +17,10 @@ FORCEFUL = language.words("forceful")
 
 
 PUSHES = language.words("pushes")
+PUTS = language.words("puts")
 STEERED = frozenset(("driven", "operated", "steered", "ridden", "piloted"))
+LETS, PASSES = frozenset(("let", "allow", "permit")), frozenset(("pass", "go", "by"))
+FASTER = re.compile(r"\b(?:behind|rear|overtak\w*|tailgat\w*|catch\w*|caught|faster|closing)\b")
 NEARLY = language.words("nearly")
 SHORT_OF = {"collide": "approach", "stop": "brake", "brake_stop": "brake"}
 """What one does that nearly does something."""
@@ -25,11 +28,11 @@ AS_GOOD_AS = frozenset(("stationary", "travel", "approach", "brake"))
 BACKWARDS = re.compile(
     r"(?:roll|drive|move|slide|drift|go|come) (?:\w+ )?(?:back|backwards?|rearwards?) (?:and |into )"
 )
-BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
 GOING_BEGUN = re.compile(
     r"(?:start|begin|commence|resume|get) (?:to )?(?:move|drive|roll|go)"
     r"(?: (?:off|again|forwards?|slowly|gently))*[ .,;]*$"
 )
+BY = re.compile(r"\bby (?:(?:the|an?|another|\w+) ){0,2}@")
 
 
 class Clauses(Deverbal):
@@ -43,7 +46,7 @@ class Clauses(Deverbal):
         self.deeds: set[int] = set()  # who does what a noun tells
         self.dangling: set[int] = set()
         for word in words:
-            if not self._deed(word) and self._is_verb(word):
+            if not self._deed(word) and not cast.tows(word) and self._is_verb(word):
                 self._verb(word)
         for word in words:
             if word.tag.startswith("NN") or word.tag == "VBG":
@@ -100,9 +103,16 @@ class Clauses(Deverbal):
         ) and lemma not in ("let", "allow", "permit", "wait"):
             self.light.add(word.i)
             return
+        if lemma == "follow" and (self._by_a_deed(word)):
+            return  # "a braking, followed by a lane change of ego"
         agent, at, passive = self._subject(word)
         if word.norm in STEERED and word.tag == "VBN" and self.words[min(word.i, len(self.words) - 2) + 1].norm == "by":
             return  # "a van driven by Mr Tan"
+        if self._let_by(word, agent):
+            return
+        agent = self._qualified(word) or agent
+        if (before := self._joined_subject(word)) is not None:
+            agent, at = self.cast.of[before], before
         if agent is None and word.tag.startswith("NN"):
             agent = next((self.cast.of[c] for c in word.children if c < word.i and c in self.cast.of), None)
         if (
@@ -138,6 +148,11 @@ class Clauses(Deverbal):
             agent = self.topic(word)
         if agent is None:
             agent = self._nearest(word, at) or (self._continued(word) if at is None else None)
+        if agent is None and self._of_its_writer(word):
+            agent = self.cast.ego
+        having = word.tag == "VBN" and any(self.words[c].norm == "having" for c in word.children)
+        if agent is not None and (word.tag == "VBG" or having) and not passive and self._dangles(word, agent):
+            self.dangling.add(word.i)
         if word.i in self.dangling or word.dep == "xcomp" and word.head in self.dangling:
             agent = self.cast.ego
         patient = awaited if awaited is not None and not awaited.ego else self._patient(word, own, agent, passive)
@@ -151,7 +166,9 @@ class Clauses(Deverbal):
             text = re.sub(r"^(\w+)", rf"\1 @{pushed.key}", text)  # "was forced off the road": whom it is about
             patient = patient or pushed
         event = self._event(lemma, word, text, whole, agent, patient)
-        if event is None:
+        if event is None or event.act == "stationary" and lemma in PUTS and not passive and self._has_object(word):
+            return
+        if event.act == "collide" and self._over_a_place(word, own):
             return
         if event.act == "stationary" and lemma == "lie" and event.agent.ego:
             return  # "her phone, which was lying in the footwell"
@@ -224,6 +241,8 @@ class Clauses(Deverbal):
         event.also = self._also(at, word.i)
         if event.patient in event.also and event.act != "collide":
             event.patient = None  # "V2 and V3 were stopped, V3 in front of V2"
+        if event.act == "overtake" and not event.agent.ego and self._of_both(own):
+            event.patient = self.cast.ego  # "overtakes both"
         self.events.append(event)
         if late is not None:
             late.adverbial, late.start, late.end = event.adverbial, event.start, event.end
@@ -236,3 +255,24 @@ class Clauses(Deverbal):
         if word.dep == "xcomp" and word.head == before or before >= 0 and self.words[before].dep == "aux":
             text = f"{self._lemma(self.words[before])} {text}"
         return ("move", "move off") if GOING_BEGUN.match(text) else None
+
+    def _has_object(self, word: Word) -> bool:
+        return any(self.words[c].dep == "dobj" for c in word.children)
+
+    def _over_a_place(self, word: Word, own: list[int]) -> bool:
+        """Whether a relative clause tells of no road user but of the noun that it belongs to: "the crosswalk that ego
+        is about to drive over"."""
+        told = any(i > word.i and i in self.cast.of for i in own)
+        while word.dep in ("xcomp", "acomp") and word.head != word.i:
+            word = self.words[word.head]
+        place = self.words[word.head]
+        return word.dep == "relcl" and place.span is None and place.i not in self.cast.of and not told
+
+    def _let_by(self, word: Word, agent: Entity | None) -> bool:
+        """Whether somebody only gets by because another waits ("we let him pass"), and was not behind."""
+        letting = self.words[word.head]
+        if word.dep not in ("ccomp", "xcomp") or self._lemma(letting) not in LETS or agent is None or agent.ego:
+            return False
+        own = (" ".join(w.norm for w in self.words[m.word : m.word + 9]) for m in agent.mentions)
+        behind = "following" in agent.roles or any(FASTER.search(text) for text in own)
+        return self._lemma(word) in PASSES and not behind and not self._has_object(word)

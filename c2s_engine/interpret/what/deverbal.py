@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import re
+
 from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import Entity, Mention
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.nominal import Nominal
 
+CAUSES = language.words("causes")
+REACTS = frozenset(("react", "respond", "answer", "adapt", "adjust"))
+REASONS = frozenset(("to", "of", "after", "upon", "on", "following", "at"))
 GERUNDS = ("ROOT", "nsubj", "nsubjpass", "pobj", "attr", "dobj", "conj", "pcomp", "csubj")
 OBJECTS = frozenset(("leave", "enter"))
+SIDES = ("left", "right")
 PLACES_TOO = frozenset(("stop", "halt", "exit", "entrance", "entry", "crossing", "start", "departure"))
 NAMES_IT = frozenset(("manoeuvre", "maneuver", "movement", "attempt", "action"))
 
@@ -24,7 +31,7 @@ class Deverbal(Nominal):
         if verb is None or word.span is not None or completes:  # "it completes its turn"
             return False
         lemma, noun = verb
-        of, by = None, None
+        of, by = self._named_by(noun, ("of",)), self._named_by(noun, ("by", "from"))
         whose = next((c for c in noun.children if self.words[c].dep == "poss" and c in self.cast.of), None)
         if word.norm in PLACES_TOO:  # "pulls out from its stop"
             whose = None
@@ -36,15 +43,27 @@ class Deverbal(Nominal):
         if agent is None or doer is None or not (agent.mover or agent.ego):
             return False
         patient = self.cast.of.get(of) if of is not None else None
-        before, text = "", lemma
+        rest = [
+            i
+            for i in self._below(min(noun, word, key=self._depth).i)
+            if i not in (doer, word.i) and self._told(i, doer)
+        ]
+        later = [i for i in rest if i > word.i]
+        before = self.render([i for i in rest if i < word.i])
+        own = [
+            w for i in rest if i < word.i and ((w := self.words[i].norm) in SIDES or self.words[i].dep == "compound")
+        ]
+        after = re.sub(r"^(of|from) " if lemma in OBJECTS else "^of ", "", self.render(later))
+        text = " ".join([lemma, *own, after]).strip()
         if patient is None or patient is agent:
-            patient = None
+            near = (self.cast.of[i] for i in later if i in self.cast.of)
+            patient = next((e for e in near if e is not agent), None)
         event = self._event(lemma, word, text, f"{before} {text}", agent, patient)
         if event is None or event.act in ("travel", "none") or event.agent is not agent:
             return False
-        if event.act == "turn":  # "it is our turn"
+        if event.act == "turn" and not own or event.act == "start" and "lane" in own:  # "it is our turn"
             return False
-        event.words = sorted({word.i, doer})
+        event.words = sorted({word.i, *rest, doer})
         event.start, event.end = word.start, self.words[event.words[-1]].end
         event.quantities, event.mode = self._quantities(event.words), self._denied(noun)
         self.events.append(event)
@@ -67,6 +86,52 @@ class Deverbal(Nominal):
             return None
         plain = not any(self.words[c].dep in ("nsubj", "aux", "dobj") for c in word.children)
         return (self._lemma(word), noun) if plain else None
+
+    def _named_by(self, noun: Word, prepositions: tuple[str, ...]) -> int | None:
+        """The road user that a preposition joins to a noun."""
+        for child in noun.children:
+            if child > noun.i and self.words[child].norm in prepositions:
+                for target in self.words[child].children:
+                    if self.words[target].dep == "pobj" and self.cast.referent(target) is not None:
+                        return target if target in self.cast.of else None
+        return None
+
+    def _depth(self, word: Word) -> int:
+        """How far a word is below the head of its sentence."""
+        found = 0
+        while word.head != word.i:
+            word, found = self.words[word.head], found + 1
+        return found
+
+    def _told(self, i: int, doer: int) -> bool:
+        """Whether a word belongs to the clause that the noun stands for, not to the name of who does it."""
+        word, above = self.words[i], self.words[self.words[doer].head]
+        own = above.i == i and above.norm in ("of", "by", "from")
+        return not own and word.dep != "case" and not (word.head == doer and i < doer)
+
+    def _somebody_else(self, word: Word, verb: Word | None) -> Entity | None:
+        """Whose deed it is that ego reacts to or that makes it do something: "responds to the cut-in by braking"."""
+        above = self.words[word.head]
+        lemma = self._lemma(verb) if verb is not None else ""
+        answered = above.norm in REASONS and word.dep == "pobj" and (above.norm != "to" or lemma in REACTS)
+        makes = verb is not None and word.dep == "nsubj" and verb.i == word.head and lemma in CAUSES
+        if verb is None or not (answered or makes) or answered and self._subject(verb)[0] is not self.cast.ego:
+            return None
+        found = self.cast._new(Entity("", "vehicle", noun="vehicle"))
+        found.mentions.append(Mention(word.i, word.start, word.end, kind="unnamed"))
+        return found
+
+    def _by_a_deed(self, word: Word) -> bool:
+        """Whether something is followed by what somebody does, not by somebody."""
+        by = [c for c in word.children if self.words[c].norm == "by" and self.words[c].dep in ("agent", "prep")]
+        nouns = [t for c in by for t in self.words[c].children if self.words[t].dep == "pobj"]
+        return bool(nouns) and all(self.words[t].span is None and self._names_deed(self.words[t]) for t in nouns)
+
+    def _names_deed(self, word: Word) -> bool:
+        """Whether a noun is one of motion."""
+        table = language.table("motions")
+        known = word.norm in table["deeds"]["verbs"] or word.norm in NAMES_IT
+        return known or any(word.norm in rule["nouns"] or word.lemma in rule["nouns"] for rule in table["nouns"])
 
     def _denied(self, noun: Word) -> str:
         """Whether what a noun names happens."""

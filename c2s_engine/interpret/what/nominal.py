@@ -9,11 +9,13 @@ from c2s_engine.interpret.reading.motions import rules
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.timing import Timing
+from c2s_engine.interpret.who.mentions import Entity
 
 ATTRIBUTIVE = frozenset(
     ("brake", "stop", "accelerate", "reverse", "swerve", "lose_control", "drift", "u_turn", "cross_road", "overtake")
 )
 
+HAPPENS = frozenset(("occur", "happen", "result", "ensue", "take", "follow", "come", "be", "arise", "involve"))
 OTHERS = frozenset(("cut_in", "cut_out", "lane_change", "brake", "stop"))
 STANDS = language.words("stands")
 BY_MEANS = language.words("by_means")
@@ -22,6 +24,9 @@ HALTS = frozenset(("stop", "brake", "brake_stop", "stationary"))
 
 class Nominal(Timing):
     """The part of Clauses that reads nouns of motion and verbs before nouns."""
+
+    def _somebody_else(self, word: Word, verb: Word | None) -> Entity | None:
+        raise NotImplementedError
 
     def _attributive(self, word: Word) -> None:
         """A verb that stands before the noun of its agent: "a decelerating lead vehicle", "the swerving van"."""
@@ -97,6 +102,18 @@ class Nominal(Timing):
         self.events.append(event)
         self.by_word[word.i] = event
 
+    def _struck_each_other(self, word: Word, verb: Word | None) -> tuple[Entity, Entity] | None:
+        """Who strikes whom in a collision "between" two: the one named first, unless its rear or side is told of."""
+        heads = [word, verb] if verb is not None and self._lemma(verb) in HAPPENS else [word]
+        between = [c for w in heads for c in w.children if self.words[c].norm in ("between", "involving", "of")]
+        for at in between:
+            inside = self._below(at)
+            told = list(dict.fromkeys(self.cast.of[i] for i in inside if i in self.cast.of and self.cast.of[i].mover))
+            if len(told) != 2:
+                continue
+            return (told[0], told[1])
+        return None
+
     def _noun(self, word: Word) -> None:
         if word.i in self.by_word or word.span is not None:
             return
@@ -125,10 +142,14 @@ class Nominal(Timing):
             if rule["act"] == "overtake" and agent is not None and not agent.ego and verb is not None:
                 subject = self._subject(verb)[0]
                 agent, patient = (subject, agent) if subject is not None else (agent, patient)  # "its pass of a truck"
+            if rule["act"] == "collide" and (parties := self._struck_each_other(word, verb)) is not None:
+                agent, patient = parties
             if patient is agent:
                 patient = None
             if agent is None and word.dep == "pobj" and verb is not None and self.words[word.head].norm in BY_MEANS:
                 agent = self._subject(verb)[0]
+            if agent is None and rule["act"] in OTHERS:
+                agent = self._somebody_else(word, verb)
             if agent is None:
                 if rule["act"] == "collide":
                     others = [self.cast.of[i] for i in sorted(self.cast.of) if i < word.i and not self.cast.of[i].ego]

@@ -25,7 +25,7 @@ def overtakings(clauses: Clauses) -> None:
             continue
         out = [e for e in own if e.order < event.order and e.act in ("lane_change", "cut_in", "cut_out")]
         back = [e for e in own if e.order > event.order and e.act in ("lane_change", "cut_in")]
-        if event.agent.ego:
+        if event.agent.ego and not _stands_aside(clauses, event):
             _by_ego(event, out, back)
         elif not event.agent.ego and (event.patient is None or event.patient.ego):
             _past_ego(event, out, back)
@@ -65,6 +65,13 @@ def _comes_back_in(clauses: Clauses, passing: list[Event]) -> None:
         pronoun = any(w.dep == "nsubj" and w.tag == "PRP" for w in subjects)
         if pronoun:
             event.agent = earlier[-1].agent
+
+
+def _stands_aside(clauses: Clauses, event: Event) -> bool:
+    """Whether who is passed was told to be parked: changing lanes is all there is to passing."""
+    who = event.patient
+    parked = (e for e in clauses.events if e.agent is who and e.act == "stationary" and e.text.startswith("park"))
+    return who is not None and ("parked" in who.roles or any(parked))
 
 
 def _past_ego(event: Event, out: list[Event], back: list[Event]) -> None:

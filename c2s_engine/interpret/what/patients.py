@@ -47,6 +47,10 @@ class Patients(Rendering):
                     found += self._also(child, verb)
         return found
 
+    def _of_both(self, own: list[int]) -> bool:
+        """Whether one of those words means ego and another ("both")."""
+        return any(self.cast.ego in (self.cast.of.get(i), *self.cast.both[i]) for i in own if i in self.cast.both)
+
     def _patient(self, word: Word, own: list[int], agent: Entity | None, passive: bool) -> Entity | None:
         if passive:
             for child in word.children:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.afterwards import Afterwards
+from c2s_engine.interpret.who.mentions import Entity
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.what.event import Event
@@ -19,6 +20,22 @@ AWAY = re.compile(
 ENDS_UP = frozenset(("end", "wind", "finish"))
 CIRCUMSTANCES = frozenset(("advcl", "prep", "npadvmod", "advmod"))
 COMES_OUT = ("cross_road", "enter_road")
+BEFORE_THE_BLOW = frozenset(
+    (
+        "run_red",
+        "run_stop",
+        "lose_control",
+        "oncoming",
+        "cross_path",
+        "turn",
+        "cut_in",
+        "drift",
+        "lane_change",
+        "enter_road",
+        "reverse",
+    )
+)
+BY_WHICH = BEFORE_THE_BLOW | {"overtake", "pass_by"}
 AT_A_DISTANCE = (
     "brake",
     "brake_stop",
@@ -85,6 +102,10 @@ class Timing(Afterwards):
         mark = event.adverbial
         if word.dep in ("acl", "pobj") and word.tag == "VBG" and main.act == "collide" and event.word > main.word:
             event.order = main.order - 0.4  # "was hit by a car turning left"
+        struck = self._in_relative(event)
+        if struck is not None and struck.act == "collide":
+            event.order = struck.order - 0.4
+            return
         if mark == "when" and event.word > main.word and event.agent is main.agent and self.lasted(main.word):
             return  # "was turning left when it lost control"
         blow = mark in ("when", "as") and event.act == "collide" and event.agent is main.agent
@@ -110,6 +131,19 @@ class Timing(Afterwards):
         aux = (self.words[c].norm for w in told for c in w.children if self.words[c].dep == "aux")
         return any(w.tag == "VBG" for w in told) and any(a in ("was", "were", "is", "are") for a in aux)
 
+    def _in_relative(self, event: Event) -> Event | None:
+        """What a clause tells in whose relative clause something is told that leads to it: "was struck by V2, which
+        was northbound and ran the light"."""
+        word = self.words[event.word]
+        while word.dep in ("conj", "acomp", "attr") and word.head < word.i:
+            word = self.words[word.head]
+        main = self._main(word) if word.dep == "relcl" and event.act in BY_WHICH else None
+        return main if main is not None and event.word > main.word else None
+
+    def joined_to(self, event: Event) -> Event | None:
+        """What the clause tells to which an event's clause is joined."""
+        return self._main(self.words[event.word])
+
     def _main(self, word: Word) -> Event | None:
         current = word
         for _ in range(4):
@@ -119,10 +153,6 @@ class Timing(Afterwards):
             if current.i in self.by_word:
                 return self.by_word[current.i]
         return None
-
-    def joined_to(self, event: Event) -> Event | None:
-        """What the clause tells to which an event's clause is joined."""
-        return self._main(self.words[event.word])
 
     def _triggers(self) -> None:
         """ "when ego is 20 m away", "once the TTC falls to 2 s", "after 5 s": for the event they stand with."""
@@ -142,7 +172,7 @@ class Timing(Afterwards):
                         event.trigger = {
                             "kind": "ttc" if nearness["ttc"] else "headway",
                             "value": quantity["low"],
-                            "of": None,
+                            "of": self._to_whom(event, inside),
                             "at": quantity["start"],
                         }
                     elif (
@@ -166,7 +196,7 @@ class Timing(Afterwards):
                             else {
                                 "kind": "distance",
                                 "value": quantity["low"],
-                                "of": None,
+                                "of": self._to_whom(event, inside),
                                 "at": quantity["start"],
                             }
                         )
@@ -180,7 +210,7 @@ class Timing(Afterwards):
             above = [i for verb in self._verbs_above(word) for i in self.own(verb)]
             own = self.render(sorted({*event.words, *above}))
             if event.trigger is None and event.act in COMES_OUT and not event.agent.ego:
-                event.trigger = None
+                event.trigger = self._where_it_comes_out(event, own)
             if event.trigger is None:
                 for quantity in (*event.quantities, *self._quantities(above)):
                     if quantity["dimension"] == "time" and re.search(
@@ -197,12 +227,22 @@ class Timing(Afterwards):
                     ):
                         event.trigger = {"kind": "ttc", "value": quantity["low"]}
 
+    def _to_whom(self, event: Event, clause: list[int]) -> Entity | None:
+        """To whom the distance of a trigger is, if not to ego: "when the cyclist is 10 m from the van, it ..."; for ego
+        whom the clause names."""
+        told = list(dict.fromkeys(self.cast.of[i] for i in clause if i in self.cast.of))
+        others = [e for e in told if e is not event.agent]
+        if event.agent.ego:
+            return others[0] if len(others) == 1 else None
+        return others[0] if event.agent in told and len(others) == 1 and not others[0].ego else None
+
     def _circumstances(self, word: Word) -> list[int]:
         """What stands with a verb, or with the verb that only begins it ("starts to cross when ...")."""
         found = [c for c in word.children if self.words[c].dep in CIRCUMSTANCES]
         for verb in self._verbs_above(word):
             found += [c for c in verb.children if self.words[c].dep in CIRCUMSTANCES]
-        return found
+        inner = [c for noun in self._nouns_of(word) for c in noun.children]
+        return found + [c for c in inner if self._is_when(c)]
 
     def _verbs_above(self, word: Word) -> list[Word]:
         """The verbs that only begin or bring about what a verb or a noun tells: "has to brake", "initiates braking"."""
@@ -225,6 +265,18 @@ class Timing(Afterwards):
         direct = [self.words[c] for c in verb.children if c > verb.i and self.words[c].dep in ("dobj", "prep")]
         inner = [self.words[c] for w in direct for c in w.children if self.words[c].dep in ("pobj", "prep")]
         return [w for w in (*direct, *inner) if w.noun]
+
+    def _is_when(self, i: int) -> bool:
+        """Whether a clause tells when something happens."""
+        clause = self.words[i]
+        marks = {self.words[c].norm for c in clause.children if c < i}
+        return clause.dep in ("advcl", "relcl") and bool(marks & {"when", "once"})
+
+    def _where_it_comes_out(self, event: Event, own: str) -> dict[str, Any] | None:
+        """How far ego is when one comes out "20 m in front of it"."""
+        match = re.search(r"#dist (?:right |directly )?(?:ahead|in front)\b(?! of (?:the |an? )?(?:\w+ )?@a)", own)
+        told = [q for q in event.quantities if q["dimension"] == "distance"]
+        return {"kind": "distance", "value": told[0]["low"]} if match and len(told) == 1 else None
 
     def _is_at(self, i: int) -> bool:
         """Whether a noun is told with the time to collision at which it begins: "the cut-in at a TTC of 2 s"."""

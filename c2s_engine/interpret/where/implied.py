@@ -14,6 +14,7 @@ from c2s_engine.interpret.where.implied_lanes import (
     hit_beside,
     in_from,
     in_from_aside,
+    into_whose_lane,
     sideswipes,
     unseen,
 )
@@ -26,12 +27,16 @@ ANSWERS = frozenset(("yield", "brake", "brake_stop", "stop", "evade", "swerve"))
 def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Fill the places that only what happens tells."""
     for event in list(clauses.events):
+        if event.done and event.act == "stationary" and event.text.startswith("block") and _beside_ego(event, of):
+            event.act = "travel"
         if event.done and event.act in ("approach", "travel"):
             _comes(event, clauses, of)
         if event.done and event.act in ("cross_road", "go_after") and event.agent in of:
             _same_side(event, clauses, of)
         if event.done and event.act in ("lane_change", "overtake") and event.agent in of:
             _out_from_behind(event, of)
+        if event.done and event.act == "evade" and event.agent in of and event.patient in of:
+            _ahead_of_who_avoids(event, of)
         if (event.done or event.mode == "negated") and event.agent.ego and event.patient in of:
             _crosses(event, clauses, of[event.patient])
         if event.done and event.agent.ego and event.patient in of:
@@ -39,9 +44,11 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
         if event.done and event.act == "collide" and event.agent.ego and event.patient in of:
             _behind_or_beside_road(event, clauses, of)
         if event.done and event.act == "oncoming" and event.agent.ego:
-            continue
-        if event.done and event.act in ("lane_change", "drift") and event.agent.ego:
+            _over_the_line(event, clauses, of)
+        elif event.done and event.act in ("lane_change", "drift") and event.agent.ego:
             unseen(event, cast, clauses, of)
+        elif event.done and event.agent in of and (_comes_over(event, of) or _overtakes_oncoming(event, of)):
+            event.act, event.side = "oncoming", "left"
         elif event.done and event.act == "overtake" and event.agent in of and event.patient is None:
             _past_another(event, clauses, of[event.agent])
         elif event.done and event.act == "yield" and event.agent.ego and event.patient in of:
@@ -50,8 +57,30 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             in_from_aside(event, clauses, of[event.agent])
         elif event.done and event.act == "collide" and event.agent in of:
             sideswipes(event, clauses, of)
+        elif event.done and event.act in ("lane_change", "drift", "swerve") and event.agent in of:
+            into_whose_lane(event, clauses, of)
         elif event.done and event.act == "follow" and event.patient in of:
             _behind_whom_it_follows(event, clauses, of)
+        elif (
+            event.done
+            and event.act in ("approach", "travel", "oncoming")
+            and (EACH_OTHER.search(event.text) or MEET_AT.match(event.text))
+        ):
+            _towards_each_other(event, clauses, of)
+
+
+def _ahead_of_who_avoids(event: Event, of: dict[Entity, Where]) -> None:
+    """Whom another than ego brakes or swerves for is ahead of that one."""
+    agent, patient = event.agent, event.patient
+    assert patient is not None
+    if (
+        of[patient].open
+        and of[patient].lane is None
+        and agent.mover
+        and not agent.person
+        and of[agent].of is not patient
+    ):
+        of[patient].rel, of[patient].of = "ahead", agent
 
 
 AFTER = re.compile(r"(?:chase|\w+ (?:\w+ )?after) (?:it|him|her|(?:the |its |his |her )?(?:\w+ )?(?:ball|@a\d+))\b")
@@ -68,6 +97,12 @@ def _same_side(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
     near = clauses.render([w.i for w in clauses.words if w.sentence in (sentence - 1, sentence)])
     ball = ROLLS.search(near)
     of[event.agent].side = sides[-1] if sides else ball["side"] if ball else None
+
+
+def _beside_ego(event: Event, of: dict[Entity, Where]) -> bool:
+    """Whether one that blocks the way is beside ego: it drives there."""
+    where = of.get(event.agent)
+    return where is not None and where.rel == "beside" and where.of is not None and where.of.ego
 
 
 COMES = re.compile(r"(?:be )?com(?:e|ing)\b(?! (?:from|out|to|up|in|off|over|through|round|across|after|behind)\b)")
@@ -112,6 +147,55 @@ def _behind_whom_it_follows(event: Event, clauses: Clauses, of: dict[Entity, Whe
         where.rel, where.of, where.lane = "behind", leader, None
 
 
+EACH_OTHER = re.compile(
+    r"^(?:approach|near|meet|face|(?:come|drive|travel|head|move|ride|go|run) (?:\w+ ){0,2}(?:towards?|at|to))"
+    r" (?:each other|one another)\b"
+)
+
+
+MEET_AT = re.compile(r"(?:meet|converge)\b.*\b(?:intersection|junction|crossroads?|crossing)\b|\w+ .*\bright angles\b")
+
+
+ACROSS_PATH = re.compile(r"\bleft\b.*\b(?:across|in front of|path of)\b")
+
+
+def _towards_each_other(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Of two that approach each other, of which ego is one, the other comes the other way; from the side where they
+    meet at a junction."""
+    both = [event.agent, *event.also, *([event.patient] if event.patient is not None else [])]
+    if not any(e.ego for e in both):
+        return
+    for other in both:
+        turns = any(
+            e.agent is other and e.act == "turn" and ACROSS_PATH.search(e.text) for e in clauses.events if e.done
+        )
+        if other in of and other.mover and not other.person and of[other].open and not turns:
+            of[other].lane = "crossing" if MEET_AT.match(event.text) else "oncoming"
+
+
+ACROSS = frozenset(("lane_change", "drift", "swerve", "lose_control", "cross_path"))
+OVER_LINE = re.compile(
+    r"\b(?:over|across|onto|into|cross\w*) (?:the |a |an |its )?"
+    r"(?:solid |white |yellow |double |middle |broken |centre |center |central |dividing )*"
+    r"(?:lines?|markings?|middle)\b"
+)
+
+
+def _comes_over(event: Event, of: dict[Entity, Where]) -> bool:
+    """Whether one who comes the other way gets over the line, and not little by little."""
+    slowly = event.act == "drift" and re.search(r"\b(?:slowly|gradually|little by little)\b", event.whole)
+    towards = event.act in ACROSS and of[event.agent].lane == "oncoming"
+    return towards and OVER_LINE.search(event.text) is not None and not slowly
+
+
+def _overtakes_oncoming(event: Event, of: dict[Entity, Where]) -> bool:
+    """Whether one who comes the other way overtakes somebody who is not told of: it does so in ego's lane."""
+    waited = event.adverbial in ("until", "till", "after", "once", "when", "before")
+    where = of[event.agent]
+    towards = event.act == "overtake" and where.lane == "oncoming" and where.rel != "behind" and not waited
+    return towards and (event.patient is None or event.patient.ego)
+
+
 def _crosses(event: Event, clauses: Clauses, where: Where) -> None:
     """A person for whom ego brakes or waits, and of whom nothing else is told, crosses the road."""
     who = event.patient
@@ -149,3 +233,16 @@ def _behind_or_beside_road(hit: Event, clauses: Clauses, of: dict[Entity, Where]
         where.rel, where.lane = "behind", "same"
     elif still and any(e.act == "leave_road" for e in before) and where.lane in (None, "same"):
         where.lane = "roadside"
+
+
+def _over_the_line(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+    """Whom ego hits after it crossed the centre line comes towards it."""
+    for hit in clauses.events:
+        other = hit.patient if hit.agent.ego else hit.agent
+        if hit.act != "collide" or not hit.done or hit.order < event.order or other is None or other not in of:
+            continue
+        still = other.roles & {"lead", "stationary", "parked"}
+        passed = any(e.patient is other and e.act in ("overtake", "follow") for e in clauses.events)
+        behind = re.search(r"rear|behind|back of", hit.whole)
+        if other.mover and not other.person and of[other].open and not still and not passed and not behind:
+            of[other].lane = "oncoming"

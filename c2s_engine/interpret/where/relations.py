@@ -15,13 +15,17 @@ from c2s_engine.interpret.surroundings.whereabouts import (
 )
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.where.accompanied import WITH_ANOTHER, accompanied, within
-from c2s_engine.interpret.where.closures import in_closed_lanes
+from c2s_engine.interpret.where.both_in import both_in_lane
+from c2s_engine.interpret.where.closures import closed_lanes, in_closed_lanes
+from c2s_engine.interpret.where.ego_in_line import ego_in_line
 from c2s_engine.interpret.where.groups import abreast, split_groups
 from c2s_engine.interpret.where.implied import implied_places
+from c2s_engine.interpret.where.implied_lanes import evaded_lane, followed_lane
 from c2s_engine.interpret.where.inferred import Inferred
 from c2s_engine.interpret.where.lane_numbers import number_lanes
 from c2s_engine.interpret.where.own_words import DIRECTED, PLACING, OwnWords
 from c2s_engine.interpret.where.places_in import WHY, places_in
+from c2s_engine.interpret.where.ranked import ranked
 from c2s_engine.interpret.where.revealed import reveal
 from c2s_engine.interpret.where.struck import struck_places
 from c2s_engine.interpret.who.mentions import Cast, Entity
@@ -68,18 +72,26 @@ class Places(OwnWords, Inferred):
                 where.lane, where.side = "same", None
                 self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
         accompanied(cast, clauses, self.of)
+        self.ego_lane = self.ego_lane or closed_lanes(cast, clauses, self.of)
+        in_line = ego_in_line(cast, clauses, self.of)
+        self.ego_lane = in_line or self.ego_lane
         in_closed_lanes(cast, clauses, self.of)
         split_groups(cast, clauses, self.of)
+        self.row, lane = ranked(cast, clauses, self.of) if in_line is None else (None, None)
+        self.ego_lane = self.ego_lane or lane
         abreast(clauses, self.of)
         implied_places(cast, clauses, self.of)
         struck_places(cast, clauses, self.of)
+        self.ego_lane = evaded_lane(clauses, self.of) or self.ego_lane or followed_lane(clauses, self.of)
         within(cast, clauses, self.of)
+        self.ego_lane = both_in_lane(cast, self.of) or self.ego_lane
         self._referred()
         self._between()
         self._joined()
         self._encroached()
         self._shared()
-        self.ego_lane = self.ego_lane or number_lanes(cast, clauses, self.of)
+        if self.row is None:
+            self.ego_lane = self.ego_lane or number_lanes(cast, clauses, self.of)
         self._overtaken()
         self._in_the_way()
         self._mutual()
@@ -155,6 +167,8 @@ class Places(OwnWords, Inferred):
                     continue
                 if other.dep == "acl" and (child in self.clauses.by_word):
                     continue
+                if other.dep == "prep" and (self._with_another(child, entity)):
+                    continue
                 if i in self.clauses.deeds and other.norm in HEADING:
                     continue  # "a lane change by the truck to the left"
                 named = self.cast.of.get(child)
@@ -179,6 +193,7 @@ class Places(OwnWords, Inferred):
             ),
             front,
         )
+        fronted = (fronted) if not self._of_subject(word) else None
         if fronted and word.span is not None:
             read(fronted[1] + (" park" if self._parks(entity) else ""), where, entity, self.cast, "noun")
         self._fronted_far(word, front, where, entity)
@@ -201,6 +216,7 @@ class Places(OwnWords, Inferred):
         ):
             following = self._following(i)
             read(" ".join([*lead, self.clauses.render(following)]), where, entity, self.cast, "noun")
+        text = self._unpassed(self._unhit(text, entity), i, entity)
         if self.cast.of and text.strip():
             read(text, where, entity, self.cast, "noun")
             self._gap(indices, where)
@@ -244,12 +260,14 @@ class Places(OwnWords, Inferred):
                 )
             ):
                 after = []
+            if after and self._of_time(after):
+                after = []
             if after and (
                 self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO")
                 or self.words[after[0]].norm in PLACING
             ):
                 read(
-                    self.clauses.render(after),
+                    self._unpassed(self._unhit(self.clauses.render(after), entity), i, entity),
                     where,
                     entity,
                     self.cast,

@@ -44,6 +44,8 @@ class Trailers(Writers):
     def _puller(self, word: Word) -> Word | None:
         """The word for who pulls it; the verb where nobody is named who does."""
         above = self.words[word.head]
+        if (before := self._participle(word)) is not None:
+            return before
         if self._tows(above) and word.dep == "dobj":
             return self._child(above, "nsubj") or above
         if above.norm in ("with", "of") and word.dep == "pobj":
@@ -57,6 +59,17 @@ class Trailers(Writers):
             return self._road_user(self._child(owner, "pobj"))
         return self._child(word, "poss")
 
+    def _participle(self, word: Word) -> Word | None:
+        """Who stands before a participle that has the trailer as its object, also where the tree says otherwise: "a
+        pickup pulling a boat trailer pulls out"."""
+        for verb in reversed(self.words[max(0, word.i - 4) : word.i]):
+            if verb.tag == "VBG" and verb.lemma in TOWS:
+                before = reversed(self.words[max(0, verb.i - 4) : verb.i])
+                return next((w for w in before if w.sentence == word.sentence and self._road_user(w)), None)
+            if verb.sentence != word.sentence or verb.verb or verb.norm in (",", "and", "with"):
+                return None
+        return None
+
     def _tows(self, word: Word) -> bool:
         return word.verb and word.lemma in TOWS
 
@@ -69,3 +82,12 @@ class Trailers(Writers):
 
     def _road_user(self, word: Word | None) -> Word | None:
         return word if word is not None and names_one(word.span, VEHICLES) else None
+
+    def tows(self, word: Word) -> bool:
+        """Whether a verb only tells that somebody pulls a trailer."""
+        if not self._tows(word):
+            return False
+        inside = [c for c in word.children if self.words[c].dep != "nsubj"]
+        around = [word.head, *inside] if word.tag == "VBN" else inside
+        nouns = (self.words[c] for c in around if self.words[c].span is not None)
+        return any(n.span.data.get("noun") in TOWED for n in nouns if n.span is not None)

@@ -10,7 +10,7 @@ from rich.text import Text
 
 from c2s_engine import driving
 from c2s_engine.commands import show
-from c2s_engine.commands.console import NO_SERVICE, OK, REFUSED, dump, err, out, sentences, work
+from c2s_engine.commands.console import BAD_INPUT, NO_SERVICE, OK, REFUSED, dump, err, out, sentences, work
 from c2s_engine.commands.reading import read_text
 from c2s_engine.structure.account import account
 from c2s_engine.structure.measures import collisions
@@ -74,9 +74,11 @@ def generate(
 
 
 def exit_code(done: Finished) -> int:
-    """Done, refused, or stopped because a service (the model's) is not there."""
+    """Done, refused, not a text to read, or stopped because a service (the model's) is not there."""
     if any(d.code == "model-service" for d in done.diagnostics):
         return NO_SERVICE
+    if any(d.stage == "interpret" and d.code == "text" for d in done.diagnostics):
+        return BAD_INPUT
     return OK if done.ok else REFUSED
 
 

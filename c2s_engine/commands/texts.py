@@ -1,5 +1,6 @@
 """`c2s interpret` and `c2s import`: texts and programs to S."""
 
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -25,7 +26,10 @@ def interpret(
     with sentences(as_json):
         from c2s_engine.interpret import EmbeddedInterpreter
 
-        found = EmbeddedInterpreter().interpret(read_text(text, file))
+        description = read_text(text, file)
+        reading = f"reading {len(description):,} characters"
+        with err.status(reading) if err.is_terminal and not as_json else nullcontext():
+            found = EmbeddedInterpreter().interpret(description)
     if as_json:
         told = [c.model_dump(mode="json") for c in account(found.structure)]
         dump({"structure": found.structure.model_dump(mode="json"), "account": told, "stages": found.stages})

@@ -6,6 +6,11 @@ import re
 # use, which took five sixths of the time of a turn. Where a Python has no such limit, this line changes nothing.
 re._MAXCACHE = 8192  # type: ignore[attr-defined]
 
-from c2s_engine.interpret.embedded import EmbeddedInterpreter, Interpretation, InterpretError  # noqa: E402
+from c2s_engine.interpret.embedded import (  # noqa: E402
+    EmbeddedInterpreter,
+    Interpretation,
+    InterpreterFault,
+    InterpretError,
+)
 
-__all__ = ["EmbeddedInterpreter", "InterpretError", "Interpretation"]
+__all__ = ["EmbeddedInterpreter", "InterpretError", "Interpretation", "InterpreterFault"]

@@ -1,14 +1,18 @@
 """The embedded interpreter: text to S by rules over a parsed text, without a language model."""
 
 import re
-from dataclasses import dataclass, field, replace
+import traceback
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 from c2s_engine.interpret import typologies
 from c2s_engine.interpret.accounting import accounted
 from c2s_engine.interpret.composing import compose
 from c2s_engine.interpret.entities import VEHICLES
-from c2s_engine.interpret.reading.division import sentences
+from c2s_engine.interpret.reading.english import is_english
 from c2s_engine.interpret.reading.spelling import Mended
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.structure.account import covering
@@ -20,12 +24,37 @@ OF_THE_ROAD = re.compile(
 )
 """Words that only tales of the road have: what else they tell may be unknown, a scene it is."""
 
+NOT_ENGLISH = "This is no English text: describe the scene in English, for example “a car cuts in ahead of ego”."
+
+MOST_OBJECTS = 99
+"""O1 to O99 are the names that S has; who is told of beyond them is listed as not understood."""
+
 READ_AT_MOST = 12_000
 """Characters of a text that are read; the rest is listed as not understood."""
 
 
 class InterpretError(ValueError):
     """A text that no scenario can be read from; the message says what would do."""
+
+
+class InterpreterFault(RuntimeError):
+    """A fault of the interpreter, not of the text: what failed, where, and what to do."""
+
+
+@contextmanager
+def faults() -> Iterator[None]:
+    """Tell what fails inside as an InterpreterFault that names the place; the first failure is its cause."""
+    try:
+        yield
+    except (InterpretError, InterpreterFault):
+        raise
+    except Exception as error:
+        frames = traceback.extract_tb(error.__traceback__)
+        at = next(f for f in reversed(frames) if "c2s_engine" in Path(f.filename).parts)
+        raise InterpreterFault(
+            f"c2s failed at this text ({type(error).__name__} in {Path(at.filename).name}, line {at.lineno}); the "
+            "fault is in c2s, please report it with the text. Nothing was changed; shorter sentences may do."
+        ) from error
 
 
 @dataclass(frozen=True)
@@ -42,39 +71,16 @@ class EmbeddedInterpreter:
     """Reads driving scenarios by grammar and tables; no model is asked."""
 
     def interpret(self, text: str, structure: Structure | None = None) -> Interpretation:
-        """S of a text; raises InterpretError where nothing of a driving scene is said."""
+        """S of a text; raises InterpretError where it is no English or tells nothing of a driving scene."""
         del structure
         if not text.strip():
             raise InterpretError(
                 "The text is empty: describe a driving scene, for example “a car cuts in ahead of ego”."
             )
-        try:
+        if not is_english(text):
+            raise InterpretError(NOT_ENGLISH)
+        with faults():
             return self._read(text)
-        except InterpretError:
-            raise
-        except Exception as error:  # any text gives S or a sentence, never a traceback
-            without = self._without_one(text)
-            if without is not None:
-                return without
-            raise InterpretError(
-                f"This text defeats the embedded interpreter ({type(error).__name__}): say it in shorter, "
-                f"plainer sentences."
-            ) from error
-
-    def _without_one(self, text: str) -> Interpretation | None:
-        """What a text says without the last of its sentences that the reader fails at; None if it fails without any."""
-        for start, end in reversed(sentences(text)):
-            try:
-                rest = self._read(text[:start] + " " * (end - start) + text[end:])
-            except Exception:  # then it is another sentence
-                continue
-            left_out = Unmet(
-                text=text[start:end], reason="this sentence could not be read beside the others", span=(start, end)
-            )
-            missed = (*rest.not_understood, left_out)
-            structure = rest.structure.model_copy(update={"text": text, "not_understood": missed})
-            return replace(rest, structure=structure, not_understood=missed)
-        return None
 
     def _read(self, text: str) -> Interpretation:
         mended = Mended(text[:READ_AT_MOST])
@@ -84,6 +90,7 @@ class EmbeddedInterpreter:
                 "Nothing in the text tells of a driving scene: name the vehicles or people, where they "
                 "are and what they do."
             )
+        understood.actors = understood.actors[:MOST_OBJECTS]
         result = accounted(understood, compose.compose(understood), mended.text)
         result = _on_original(result, mended, text)
         stages = _spans_back(_stages(understood), mended)

@@ -9,8 +9,10 @@ from c2s_engine.interpret.changes import asked, notes, put, refine, retold
 from c2s_engine.interpret.changes.corrected import Last, after, corrected, differences, of_the_same
 from c2s_engine.interpret.changes.pointed import missing
 from c2s_engine.interpret.changes.refer import refer
+from c2s_engine.interpret.embedded import NOT_ENGLISH, faults
 from c2s_engine.interpret.entities import MOVERS
 from c2s_engine.interpret.reading import scan
+from c2s_engine.interpret.reading.english import is_english
 from c2s_engine.interpret.reading.spelling import Mended
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit
@@ -31,15 +33,13 @@ class Turn:
 
 
 def route(text: str, structure: Structure | None, last: Last | None = None) -> Turn:
-    """Decide what the text asks for, given the S at hand (None: there is none yet) and what was typed last."""
-    try:
+    """Decide what the text asks for, given the S at hand (None: there is none yet) and what was typed last;
+    raises InterpreterFault."""
+    if not is_english(text):
+        return Turn("edit", reply=NOT_ENGLISH, span=(0, len(text)))
+    with faults():
         again = _again(text, structure, last) if structure is not None and last is not None else None
         return again or _route(text, structure)
-    except Exception as error:  # any text gives a turn, never a traceback
-        reply = (
-            f"This text defeats the embedded interpreter ({type(error).__name__}): say it in shorter, plainer words."
-        )
-        return Turn("edit", reply=reply, span=(0, len(text)))
 
 
 def _again(text: str, structure: Structure, last: Last) -> Turn | None:

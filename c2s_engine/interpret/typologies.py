@@ -10,10 +10,6 @@ SAYS_MORE = re.compile(
     r"night|rain|fog|snow|wet|icy|rural|urban|highway|motorway|limit|\d|dusk|dawn|day|turning|approach|while"
     r"|from (the )?(left|right)|: \w"
 )
-MANOEUVRES = frozenset(
-    ("turn", "lane_change", "overtake", "reverse", "u_turn", "go_straight", "lose_control", "follow")
-)
-IDLE = frozenset(("travel", "keep_lane"))
 ADJECTIVES = "(?:oncoming|slower|stopped|stationary|lead|parked|slow) "
 
 
@@ -50,8 +46,6 @@ def understand(text: str) -> Scene:
     if not SAYS_MORE.search(scan.normalised(rest)):
         return understanding.understand(meant)
     usual = understanding.understand(meant)
-    if _complete(own, usual):
-        return own
     outside = {e.key for e in own.cast.entities for m in e.mentions if not start <= m.start < end and e.mover}
     inside = {e.key for e in own.cast.entities for m in e.mentions if start <= m.start < end} - outside
     if inside and outside:
@@ -65,18 +59,6 @@ def _tells(found: Scene, meant: str) -> bool:
     own = [e for e in found.clauses.events if e.agent.ego and e.done and e.start < e.end]
     whole = bool(found.actors) or not re.search(r"\b(car|truck|vehicle|pedestrian|cyclist|animal|deer)\b", meant)
     return bool(found.cast.ego.mentions) and bool(own) and whole
-
-
-def _complete(own: Scene, usual: Scene) -> bool:
-    """Whether the text tells by itself who is there, what they do, and what ego does where the type lets it do more
-    than drive on."""
-    if not usual.actors or len(own.actors) < len(usual.actors):
-        return False
-    if own.cast.ego.mentions and not own.cast.strong_ego:
-        return False
-    told = all(any(e.act not in IDLE for e in own.events(a)) or "stationary" in a.roles for a in own.actors)
-    usually = {e.act for e in usual.events(usual.cast.ego)} & MANOEUVRES
-    return told and (not usually - {"go_straight", "follow"})
 
 
 def _fitted(meant: str, rest: str, own: Scene, usual: Scene) -> str:

@@ -1,6 +1,6 @@
 """All stages up to the scene, in their order."""
 
-from c2s_engine.interpret.reading import amounts, dates, division, letters, scan, shares, streets, syntax
+from c2s_engine.interpret.reading import amounts, dates, division, letters, scan, streets, syntax
 from c2s_engine.interpret.roles.casting import actors
 from c2s_engine.interpret.roles.protagonist import choose_ego
 from c2s_engine.interpret.scene import Scene
@@ -11,14 +11,12 @@ from c2s_engine.interpret.what.aftermath import aftermath
 from c2s_engine.interpret.what.bearings import against_the_traffic, sides_by_compass
 from c2s_engine.interpret.what.claims import claimed
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.damage import struck_by_damage
 from c2s_engine.interpret.what.doors import doors_opened
 from c2s_engine.interpret.what.foot_crossings import on_foot
 from c2s_engine.interpret.what.headlines import story_first
 from c2s_engine.interpret.what.indicated import indicated
 from c2s_engine.interpret.what.left_untold import left_untold
 from c2s_engine.interpret.what.onwards import same_side, turns_by_name
-from c2s_engine.interpret.what.own_parts import own_parts
 from c2s_engine.interpret.what.passing import came_up_behind
 from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.pulled_out import pulled_out
@@ -28,13 +26,11 @@ from c2s_engine.interpret.what.sense import rules_of_sense
 from c2s_engine.interpret.what.stays_put import stays_put
 from c2s_engine.interpret.what.there_and_back import swerves_back
 from c2s_engine.interpret.what.unsaid import by_who_did_not_notice, unsaid
-from c2s_engine.interpret.where.in_between import ahead_of_the_gap, in_between
 from c2s_engine.interpret.where.other_lane import meets_ego, next_lane
 from c2s_engine.interpret.where.own_edge import on_own_edge
 from c2s_engine.interpret.where.protruding import protruding
 from c2s_engine.interpret.where.relations import Places
 from c2s_engine.interpret.where.struck import came_out_into, merged_into, pushed, twice
-from c2s_engine.interpret.who.foretold import foretold
 from c2s_engine.interpret.who.mentions import Cast
 
 
@@ -53,21 +49,17 @@ def understand(text: str) -> Scene:
     quantities.sort(key=lambda s: s.start)
     taken = [(q.start, q.end) for q in quantities]
     names = [n for n in names if not any(s < n.end and n.start < e for s, e in taken)]
-    names += shares.shares(plain, [*names, *quantities])
     spans = sorted(names + quantities, key=lambda s: s.start)
     sentences = division.shorthand(plain, sentences, names)
     road = place.read(plain, sentences, quantities)
     words = syntax.parse(text, plain, sentences, dates.besides(plain, spans))
     cast = Cast(words)
-    foretold(cast)
     clauses = Clauses(words, cast)
     by_who_did_not_notice(cast, clauses)
     endings = run_ends(plain, sentences, clauses)
     unnamed_doers(cast, clauses)
     story_first(cast, clauses)
     had_pulled_over(clauses)
-    own_parts(clauses)
-    struck_by_damage(cast, clauses)
     pushed(clauses)
     merged_into(clauses)
     came_out_into(clauses)
@@ -85,9 +77,7 @@ def understand(text: str) -> Scene:
     stays_put(cast, clauses)
     doors_opened(cast, clauses)
     swerves_back(clauses)
-    gaps = in_between(clauses)
     places = Places(cast, clauses)
-    ahead_of_the_gap(gaps, places.of)
     next_lane(plain, road, places.of)
     meets_ego(clauses, places.of)
     on_own_edge(clauses, places.of, road)

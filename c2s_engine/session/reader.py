@@ -115,15 +115,18 @@ def _frame(value: Any) -> bytes:
 
 
 def _answer(name: str, arguments: tuple[Any, ...]) -> Any:
-    from c2s_engine.interpret import EmbeddedInterpreter, InterpretError, turn
+    from c2s_engine.interpret import EmbeddedInterpreter, InterpreterFault, InterpretError, turn
 
     if name == "interpret":
         try:
             return EmbeddedInterpreter().interpret(*arguments).structure
-        except InterpretError as error:
+        except (InterpretError, InterpreterFault) as error:
             raise Unreadable(str(error)) from None
     text, structure, last = arguments
-    asked = turn.route(text, structure, turn.Last(*last) if last else None)
+    try:
+        asked = turn.route(text, structure, turn.Last(*last) if last else None)
+    except InterpreterFault as fault:
+        return Asked("edit", reply=str(fault))
     return Asked(asked.kind, tuple(asked.edits), asked.reply, asked.corrects)
 
 

@@ -42,11 +42,3 @@ def test_an_act_in_other_words(act: str, words: str) -> None:
 def test_one_begins_to_move(text: str, act: str) -> None:
     structure = EmbeddedInterpreter().interpret(text).structure
     assert structure.objects[0].spec.phases[-1].action == act
-
-
-def test_what_is_first_named_after_one_left_the_lane_was_hidden_by_it() -> None:
-    text = "Ego follows a car. The car changes lanes to avoid a broken-down truck; ego has to stop."
-    truck = EmbeddedInterpreter().interpret(text).structure.objects[1]
-    assert truck.spec.placement.hidden_by == "O1"
-    seen = "A broken-down truck stands in the lane ahead. The lead car changes lanes; ego has to stop."
-    assert all(o.spec.placement.hidden_by is None for o in EmbeddedInterpreter().interpret(seen).structure.objects)

@@ -16,14 +16,6 @@ def test_one_of_two_is_chosen_and_said(read, text):
     assert len(lead.spec.phases) == 1 and "phases" in [a.field for a in lead.assumed]
 
 
-@pytest.mark.parametrize(
-    "text", ["Ego tries to overtake a cyclist but gives up.", "The AV attempts to overtake a tractor but aborts."]
-)
-def test_who_is_not_overtaken_after_all_is_ahead(read, text):
-    (other,) = read(text).objects
-    assert other.spec.placement.position == "ahead"
-
-
 def test_a_range_of_speeds_is_no_way_across(read):
     (rider,) = read("Ego drives. A cyclist rides between 15 and 20 km/h.").objects
     assert [p.action for p in rider.spec.phases] == ["move_along"]

@@ -27,8 +27,6 @@ def test_first_person_is_never_he(read) -> None:
 @pytest.mark.parametrize(
     ("text", "kind"),
     [
-        ("One minivan (the ego here) met a wrong-way pickup and swerved onto the right shoulder.", "van"),
-        ("The coach (= our ego) stopped. A motorbike behind the coach overtook it.", "bus"),
         ("The robot car behind the coach stopped.", "car"),
         ("My lorry was hit from behind by a taxi.", "truck"),
     ],

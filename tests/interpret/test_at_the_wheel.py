@@ -27,8 +27,3 @@ def test_whose_turn_is_completed(read) -> None:
     s = read("The ego waited to turn left. After an oncoming motorcycle had passed, it completed its turn.")
     assert [p.action for p in s.ego.spec.phases] == ["turn_left"]
     assert [p.action for p in s["O1"].spec.phases] == ["go_straight"]
-
-
-def test_a_chance_to_pass_is_no_pass(read) -> None:
-    s = read("The minibus stayed behind the tractor, waiting for a chance to pass.")
-    assert "overtake" not in [p.action for p in s.ego.spec.phases]

@@ -19,7 +19,6 @@ WAYS = [
     "Ego sees {s} {ing}.",
     "There is {s} which {v}.",
     "Ego encounters {s} {ing}.",
-    "{S} starts to {base}.",
     "{S} begins {ing}.",
     "Ego must brake because {s} {v}.",
     "When {s} {v}, ego brakes.",

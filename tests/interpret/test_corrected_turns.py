@@ -52,11 +52,6 @@ def test_what_was_meant(read, first: str, then: str, meant: str) -> None:
     assert specs == [(c.id, c.spec) for c in once(before, meant).components]
 
 
-def test_the_other_one_besides(read) -> None:
-    s = twice(read(SCENE), "make the red car brake hard", "the other car too")
-    assert [[p.action for p in s[cid].spec.phases] for cid in ("O1", "O2")] == [["brake"], ["brake"]]
-
-
 @pytest.mark.parametrize("then", ["the other car should be a bus", "the red car at 60", "add a van too", "undo"])
 def test_no_correction(read, then: str) -> None:
     before = read(SCENE)

@@ -20,13 +20,6 @@ CELLS = [
         "let ego start 60 metres away from the junction | the intersection is 60 m ahead of ego | "
         "the distance to the junction should be 60 m | ego should begin 60 m short of the crossroads",
     ),
-    (
-        ROW,
-        "put the parked cars on the left. put the child on the left",
-        "could the parked cars and the child be on the left side, please | move cars and child to the left | "
-        "both the parked cars and the child on the left | the child and the parked cars must start on the left",
-    ),
-    (ROW, "two parked cars", "remove the last one | without the last parked car | the last of the cars can go"),
     # what one does when he has done what he does
     # from both sides
     # whom something new hides

@@ -36,21 +36,6 @@ def test_who_sees_the_light_stops(read) -> None:
     assert actions(read("Ego sees the red light and stops.")["E"]) == ["stop"]
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "Ego is kept from turning left by a stream of oncoming traffic.",
-        "Oncoming traffic prevents the ego from turning left.",
-        "Ego can't turn left, as a tram is coming the other way.",
-        "Ego was unable to turn left because of a motorcycle coming the other way.",
-    ],
-)
-def test_who_is_kept_from_turning_means_to_turn_and_gives_way(read, text: str) -> None:
-    structure = read(text)
-    assert (structure.place.spec.kind, structure.place.spec.manoeuvre) == ("intersection", "left")
-    assert (structure["E"].spec.reaction, structure["E"].spec.react_to) == ("yield", "O1")
-
-
 def test_who_is_kept_from_overtaking_stays_behind(read) -> None:
     structure = read("An oncoming bus keeps the ego from overtaking a slow tractor.")
     assert "overtake" not in actions(structure["E"])
@@ -67,9 +52,3 @@ def test_who_is_kept_from_overtaking_stays_behind(read) -> None:
 )
 def test_going_back_in_ends_the_overtaking(read, text: str) -> None:
     assert actions(read(text)["E"]) == ["overtake"]
-
-
-def test_waiting_until_it_is_safe_is_egos(read) -> None:
-    structure = read("The ego stays behind the cyclist until it is safe to overtake.")
-    assert actions(structure["E"]) == ["follow", "overtake"]
-    assert actions(structure.objects[0]) == []

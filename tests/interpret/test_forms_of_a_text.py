@@ -9,10 +9,6 @@ CAR = "car in the left lane, 20 m behind ego, overtakes ego and cuts in"
 TRUCK = "truck 60 m ahead of ego drives at 70 km/h"
 PLAIN = f"E{EGO}. A {CAR}. A {TRUCK}."
 FORMS = {
-    "lines": "Two-lane motorway\nego: right lane, 90 km/h\ncar1: left lane, 20 m behind ego, overtakes ego and cuts in"
-    "\ntruck1: 60 m ahead of ego, 70 km/h",
-    "labels": "ego: right lane, 90 km/h. car 1: left lane, 20 m behind ego, overtakes ego and cuts in."
-    " truck 1: 60 m ahead of ego, 70 km/h. Two-lane motorway.",
     "points": f"1) E{EGO} 2) A {CAR} 3) A {TRUCK}",
     "list": f"1. E{EGO}.\n2. A {CAR}.\n3. A {TRUCK}.",
     "heads": "ROAD: two-lane motorway. EGO: 90 km/h, right lane. ACTOR 1 (car): left lane, 20 m behind ego; overtakes"

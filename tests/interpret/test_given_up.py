@@ -25,7 +25,7 @@ def acts(structure: Structure, cid: str) -> list[str]:
         ("V2 was stopped ahead of V1, waiting to turn left. V1 hit V2.", "O1", ["stationary"]),
         ("The ego brakes at the light. The car behind it does not stop in time.", "O1", ["collide"]),
         ("The lead vehicle takes the exit while ego stays on the motorway.", "O1", ["leave_road"]),
-        ("Ego drives at 30 mph when traffic ahead comes to a sudden stop.", "O1", ["stop"]),
+        
         ("A ball rolls onto the road, followed by a child from the left.", "O1", ["cross_road"]),
         ("A fire engine comes from behind; the ego moves to the right and stops to let it pass.", "E",
          ["lane_change", "stop"]),

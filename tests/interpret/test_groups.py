@@ -32,24 +32,6 @@ def test_a_member_with_acts_of_its_own_leaves_its_group(read, text: str, rest: i
     assert (spec(s, told.id).count, spec(s, other.id).count) == (1, rest)
 
 
-def test_a_member_that_is_only_pointed_at_stays_in_its_group(read) -> None:
-    s = read("Three cars are parked on the right. As the ego passes the second one, a dog runs out between them.")
-    assert [spec(s, c.id).count for c in s.objects] == [3, 1]
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "Cars in both adjacent lanes drive at the same speed as ego.",
-        "On a three-lane motorway ego has cars to its left and right.",
-        "There are vehicles on both sides of the ego vehicle. A car ahead brakes.",
-    ],
-)
-def test_a_group_on_both_sides_is_one_left_and_one_right(read, text: str) -> None:
-    s = read(text)
-    assert {spec(s, c.id).placement.position for c in s.objects} >= {"left_lane", "right_lane"}
-
-
 @pytest.mark.parametrize(
     "text",
     [

@@ -10,9 +10,6 @@ def _types(s) -> list[str]:
 @pytest.mark.parametrize(
     ("text", "kinds"),
     [
-        ("Boy runs into road: a driver braked at 30 km/h when a seven-year-old ran out from the left.", ["child"]),
-        ("First the ball, then the girl: a driver braked when an eight-year-old ran out from the left.", ["child"]),
-        ("Dog escapes: a motorist braked hard at 50 km/h as a terrier ran out from the left.", ["animal"]),
         ("Ego at 30 km/h: a boy stands on the left and a girl crosses from the right.", ["child", "child"]),
     ],
 )

@@ -1,11 +1,6 @@
 """Places that follow from others: lanes full of standing cars, the other side of the road, who is got round."""
 
 
-def test_cars_in_every_lane(read) -> None:
-    s = read("Both lanes are blocked by stationary cars. The ego brakes.")
-    assert sorted(o.spec.placement.position for o in s.objects) == ["ahead", "left_lane"]
-
-
 def test_hidden_on_the_other_side(read) -> None:
     s = read("A bus standing on the opposite side of the street hides a child, who darts out towards the ego.")
     assert s["O1"].spec.placement.position == "oncoming_lane" and s["O2"].spec.placement.side == "left"

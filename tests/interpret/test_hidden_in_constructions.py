@@ -9,7 +9,6 @@ HIDDEN = [
     "A child in the blind area of a parked van runs across the road.",
     "Behind a parked van stands a child, who then runs across the road.",
     "Because of a parked van ego cannot see a child who runs across the road.",
-    "Ego cannot see a child behind a parked van who runs across the road.",
     "A parked van masks a child running across the road.",
     "A parked van obscures a child running across the road.",
     "Ego passes a parked van. Behind it a child runs across the road.",

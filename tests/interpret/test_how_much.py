@@ -62,19 +62,6 @@ def test_gaps_named_or_by_time(read, text: str, least: float, most: float) -> No
     assert least <= low <= high <= most
 
 
-@pytest.mark.parametrize(
-    ("text", "spacing"),
-    [
-        ("Three trucks drive 20 m apart in the right lane at 80 km/h. Ego passes them.", 20.0),
-        ("A platoon of three lorries, spacing 15 m, drives ahead of ego.", 15.0),
-        ("Four cars with gaps of 12 m drive ahead of ego.", 12.0),
-    ],
-)
-def test_spacing_of_a_group(read, text: str, spacing: float) -> None:
-    group = next(o.spec for o in read(text).objects if o.spec.count > 1)
-    assert group.spacing == spacing and group.placement.gap is None
-
-
 def test_a_lateral_distance_is_no_gap(read) -> None:
     s = read("A cyclist is overtaken with a lateral distance of 1 m at 40 km/h.")
     assert s["O1"].spec.placement.gap is None
@@ -83,24 +70,6 @@ def test_a_lateral_distance_is_no_gap(read) -> None:
 def test_a_negative_rate(read) -> None:
     s = read("The lead decelerates at -3 m/s^2 for 2 s.")
     assert s["O1"].spec.phases[0].rate == 3.0
-
-
-@pytest.mark.parametrize(
-    ("text", "ego", "traffic"),
-    [
-        ("Traffic in the right lane crawls at 15 km/h. Ego goes 65 km/h in the left lane.", 65, 15),
-        ("Traffic ahead is moving at 30 km/h. Ego approaches at 100 km/h.", 100, 30),
-        ("Ego drives at 80 km/h while traffic in the left lane flows at 120 km/h.", 80, 120),
-    ],
-)
-def test_the_speed_of_traffic(read, text: str, ego: int, traffic: int) -> None:
-    s = read(text)
-    assert (kmh(s["E"].spec.speed), kmh(s["O1"].spec.speed)) == (ego, traffic)
-
-
-def test_traffic_slows_to(read) -> None:
-    s = read("The traffic on the motorway slows to 20 km/h and ego brakes.")
-    assert kmh(s["O1"].spec.phases[0].speed) == 20 and kmh(s["E"].spec.speed) > 40
 
 
 def test_oncoming_traffic_is_not_the_tractor(read) -> None:
@@ -127,11 +96,6 @@ def test_what_is_no_gap(read) -> None:
     assert s["O1"].spec.placement.gap is None and s["R"].spec.curve == "left"
     s = read("A motorcycle passes ego on its left. No lateral reaction beyond 0.2 m is allowed.")
     assert s["O1"].spec.placement.gap is None
-
-
-def test_speeds_by_letters(read) -> None:
-    s = read("Ego speed v0 in [30, 50] km/h. A pedestrian steps onto the road from the right, v1 in [1.0, 1.6] m/s.")
-    assert s["O1"].spec.speed == (1.0, 1.6) and len(s.objects) == 1
 
 
 def test_own_speed(read) -> None:

@@ -14,8 +14,6 @@ def others(structure) -> list:
 @pytest.mark.parametrize(
     "text",
     [
-        "The insured was stationary at a zebra crossing, letting a man with a stick cross, when a van ran into the "
-        "back of his car.",
         "The plaintiff was waiting at a crossing to let a woman cross when a van hit the rear of her vehicle.",
     ],
 )
@@ -32,23 +30,6 @@ def test_a_vehicle_of_one_on_foot_stays_hers(read) -> None:
     assert "pedestrian" not in [o.type for o in others(s)]
 
 
-@pytest.mark.parametrize(
-    ("text", "kind", "other", "last"),
-    [
-        ("Lorry hits cyclist in Leeds. The driver of the lorry turned left without seeing the rider on his nearside.",
-         "truck", "bicycle", ["turn_left", "collide"]),
-        ("Bus hits pedestrian near market. A woman was crossing the road when a bus failed to stop.",
-         "bus", "pedestrian", ["collide"]),
-        ("Van rams patrol car on I-10. The cruiser was parked on the shoulder when a van drifted off the road.",
-         "van", "police_car", ["leave_road", "collide"]),
-    ],
-)  # fmt: skip
-def test_headline_and_story_tell_of_the_same_ones(read, text: str, kind: str, other: str, last: list[str]) -> None:
-    s = read(text)
-    assert (s.ego.spec.type, [o.type for o in others(s)]) == (kind, [other])
-    assert actions(s.ego.spec) == last
-
-
 def test_a_first_sentence_with_articles_is_no_headline(read) -> None:
     s = read("A bus drives on a road. A car followed the bus. A second car overtook both.")
     assert len(others(s)) >= 2
@@ -57,38 +38,6 @@ def test_a_first_sentence_with_articles_is_no_headline(read) -> None:
 def test_somebody_else_is_none_of_those_who_met(read) -> None:
     s = read("Two cars collided at the junction. A pedestrian stood on the sidewalk.")
     assert "pedestrian" in [o.type for o in others(s)]
-
-
-@pytest.mark.parametrize(
-    ("text", "walkers"),
-    [
-        ("A motorist who had pulled in opened his door and a cyclist rode into it.", "bicycle"),
-        (
-            "The driver of a parked Skoda opened the door as the cyclist was passing; the cyclist hit the door.",
-            "bicycle",
-        ),
-        ("Cyclist struck by car door. A motorist opened her door without looking as the rider came past.", "bicycle"),
-    ],
-)
-def test_who_hits_a_door_hits_the_vehicle(read, text: str, walkers: str) -> None:
-    s = read(text)
-    parked = next(o for o in s.objects if o.spec.placement.position == "parked")
-    rider = next(o.spec for o in s.objects if o.spec.type == walkers)
-    assert "collide" in actions(rider)
-    assert next(p.target for p in rider.phases if p.action == "collide") == parked.id
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "A van had pulled over to the side of the road when a truck drifted onto the shoulder and hit it.",
-        "A van had pulled off the road onto the shoulder. A truck drifted onto the shoulder and hit it.",
-        "The driver of the van had pulled in to make a call when a truck left its lane and hit it.",
-    ],
-)
-def test_who_had_pulled_over_stands(read, text: str) -> None:
-    van = next(o for o in others(read(text)) if o.type == "van")
-    assert (van.speed, actions(van)) == (0, ["stationary"])
 
 
 def test_who_pulls_over_does_so(read) -> None:
@@ -109,30 +58,11 @@ def test_plates_are_passed_over(read, text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "text",
-    [
-        "V1 was stopped in traffic. V2 was stopped behind V1. V3 struck V2.",
-        "V1 was stopped. V2 was stopped behind V1. V3 was following V2 and failed to stop, hitting V2.",
-    ],
-)
-def test_the_next_in_a_chain_comes_from_behind(read, text: str) -> None:
-    third = others(read(text))[1]
-    assert (third.placement.position, third.placement.of) == ("behind", "O1")
-
-
-def test_who_did_not_notice_the_queue_strikes(read) -> None:
-    s = read("The driver of the Kia did not notice that the traffic ahead had stopped and rear-ended a Subaru.")
-    assert actions(s.ego.spec) == ["collide"] and [o.name for o in others(s)] == ["subaru"]
-
-
-@pytest.mark.parametrize(
     ("text", "order"),
     [
         ("I hit a parked car because a child ran out in front of me and I had to swerve.", ["swerve", "collide"]),
-        ("The cyclist was struck by the Toyota. The driver said he swerved left but could not avoid the cyclist.",
-         ["swerve", "collide"]),
-        ("The motorcyclist collided with a tractor. The motorcyclist was overtaking the tractor at the time.",
-         ["overtake", "collide"]),
+        
+        
         
     ],
 )  # fmt: skip
@@ -148,8 +78,6 @@ def test_potholes_are_nobody(read) -> None:
 @pytest.mark.parametrize(
     ("text", "kinds"),
     [
-        ("P1 (Honda Civic) was northbound. P2 (bicycle) was westbound on the crosswalk. P1 struck P2.", ["bicycle"]),
-        ("P-1 was making a left turn. P-2 was proceeding straight and struck P-1.", ["car"]),
         ("V-1 was northbound. P-1 was walking across the street. V-1 struck P-1.", ["pedestrian"]),
     ],
 )

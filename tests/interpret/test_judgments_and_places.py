@@ -14,10 +14,7 @@ def _acts(component) -> list[str]:
 @pytest.mark.parametrize(
     "says",
     [
-        "I record a conclusion of road traffic collision.",
         "I am satisfied that the lights of the van were on.",
-        "I do not accept that he ran, and I prefer the evidence of Mrs Pryce.",
-        "In my judgment nobody else is to blame.",
     ],
 )
 def test_who_judges_is_not_at_the_wheel(read, says: str) -> None:
@@ -38,8 +35,6 @@ def test_who_drives_and_finds_fault_is_ego(read) -> None:
 @pytest.mark.parametrize(
     ("who", "kind", "speed"),
     [
-        ("The claimant, riding his bicycle along the main road at 15 mph,", "bicycle", 6.71),
-        ("The defendant, riding a motorcycle at 40 mph,", "motorcycle", 17.88),
         ("A man, driving his van at 40 mph,", "van", 17.88),
     ],
 )
@@ -48,19 +43,6 @@ def test_who_drives_something_of_his_own_is_another(read, who: str, kind: str, s
     assert s.ego.spec.type == "truck"
     assert _types(s) == [kind]
     assert s.objects[0].spec.speed == pytest.approx(speed, abs=0.1)
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "With one rider in the rear seat, the AV was traveling at 28 mph. A van cut in. The rider reported neck pain.",
-        "The AV with two riders aboard was traveling at 28 mph when a van cut in. One rider complained of pain.",
-        "With the ADS engaged and one rider in the back seat, the AV was traveling at 28 mph. A van cut in.",
-    ],
-)
-def test_who_rides_in_the_automated_vehicle_is_no_cyclist(read, text: str) -> None:
-    assert _types(read(text)) == ["van"]
-    assert _types(read("A motorcycle with one rider was ahead of the AV. The rider braked hard.")) == ["motorcycle"]
 
 
 def test_the_wheel_to_the_wrong_side(read) -> None:

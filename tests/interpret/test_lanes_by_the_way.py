@@ -21,25 +21,11 @@ def test_passed_from_the_left_lane(read, text: str) -> None:
     [
         "A van has broken down in the right lane. The ego moves to the left lane to get past.",
         "A coach had broken down in the right-hand lane. I saw it late and moved over to the left lane.",
-        "A crate lies in the right lane. The vehicle preceding the ego swerves around the crate.",
-        "A bus stands in the right lane. The ego, behind a hatchback, follows the hatchback around it.",
     ],
 )
 def test_what_ego_gets_round_is_in_its_lane(read, text: str) -> None:
     s = read(text)
     assert (s.place.spec.ego_lane, s.objects[0].spec.placement.position) == ("rightmost", "ahead")
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "In the left lane traffic goes on flowing at 45 km/h. The ego is in the right lane.",
-        "In the left lane, the traffic keeps moving at 45 km/h. The ego is in the right lane.",
-    ],
-)
-def test_traffic_in_a_lane(read, text: str) -> None:
-    spec = read(text).objects[0].spec
-    assert (spec.count, spec.placement.position) == (2, "left_lane")
 
 
 def test_no_traffic_in_a_lane(read) -> None:
@@ -50,8 +36,6 @@ def test_no_traffic_in_a_lane(read) -> None:
 @pytest.mark.parametrize(
     ("text", "turn"),
     [
-        ("The test vehicle, indicating right, slowed to turn into Dock Road.", "turn_right"),
-        ("The AV had its right indicator on and began to turn into Dock Road.", "turn_right"),
         ("V1, with its right turn signal on, turned into Oak Street.", "turn_right"),
         ("The ego, signalling left, turns into a side street.", "turn_left"),
     ],
@@ -63,7 +47,6 @@ def test_the_side_of_the_indicator(read, text: str, turn: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "The ego vehicle lets a cyclist and a car from the left pass before it turns right.",
         "The ego lets a cyclist pass before it turns right.",
         "The ego allows a van and a bus from the left to pass before it turns right.",
     ],

@@ -27,12 +27,6 @@ def test_a_letter_is_no_article(read) -> None:
     assert sorted(o.spec.type for o in s.objects) == ["bus", "car"]
 
 
-@pytest.mark.parametrize("same", ["does likewise", "does the same", "follows suit"])
-def test_likewise(read, same: str) -> None:
-    s = read(f"The car ahead of the ego brakes hard; the bus behind the ego {same}.")
-    assert [p.action for p in s["O2"].spec.phases] == ["brake"]
-
-
 def test_a_noun_right_after_a_label(read) -> None:
     s = read("Unit 1 gray pickup was going north. Unit 2 white van ran the stop sign and hit Unit 1.")
     assert s["E"].spec.type == "truck" and [o.spec.type for o in s.objects] == ["van"]

@@ -46,11 +46,6 @@ def test_the_first_of_two_moments_is_that_of_the_verb(read):
     assert spec.phases[0].trigger.value == 50
 
 
-def test_how_hard_another_brakes_too(read):
-    (phase,) = read("The truck ahead brakes with 5 m/s2. The ego does likewise.").ego.spec.phases
-    assert (phase.action, phase.rate) == ("brake", 5)
-
-
 def test_over_a_distance_is_no_gap(read):
     (target,) = read("The target vehicle ahead performs a lane change over a distance of 60 m.").objects
     assert target.spec.placement.gap is None

@@ -80,12 +80,6 @@ def test_who_halts_at_a_stop_starts_ahead(read) -> None:
     assert actions(bus) == ["stop"]
 
 
-def test_who_did_not_stop_and_struck_another_is_the_one_named_last(read) -> None:
-    structure = read("V2 entered the intersection and V1, which did not stop, struck its left side.")
-    assert actions(structure["E"]) == ["collide"]
-    assert "collide" not in actions(structure.objects[0])
-
-
 def test_a_closed_footway_comes_no_nearer(read) -> None:
     user = read("A wheelchair user goes along the edge of the road ahead of ego, because the footway is closed.")
     assert user.objects[0].spec.placement.position != "sidewalk"
@@ -100,15 +94,3 @@ def test_the_lane_of_whom_one_cuts_off_is_egos(read) -> None:
 def test_who_turns_off_into_a_yard_turns(read) -> None:
     bus = read("Ego follows a bus, which turns off into a depot on the left.").objects[0]
     assert actions(bus) == ["turn_left"]
-
-
-@pytest.mark.parametrize(
-    "text", ["Ego finds cars stopped.", "Ego comes over a hill and finds two cars stopped in its lane."]
-)
-def test_who_is_found_stopped_stands(read, text: str) -> None:
-    assert actions(read(text).objects[0]) == ["stationary"]
-
-
-def test_a_drift_over_the_line_towards_one_who_comes(read) -> None:
-    assert actions(read("An oncoming car is in its own lane; ego drifts over the line.")["E"]) == ["oncoming"]
-    assert actions(read("Ego drifts to the right; an oncoming truck passes.")["E"]) != ["oncoming"]

@@ -6,8 +6,6 @@ import pytest
 @pytest.mark.parametrize(
     "text",
     [
-        "A man pushing a bike crosses the road from the right.",
-        "A worker pushing a wheelbarrow crosses from the right.",
         "A woman with a stroller steps off the right kerb in front of ego.",
     ],
 )

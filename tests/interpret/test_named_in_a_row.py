@@ -27,11 +27,6 @@ def test_two_do_the_same(read, text: str, act: str) -> None:
     assert [acts for _, _, acts in seen(read(text))] == [[act], [act]]
 
 
-def test_the_next_of_a_list(read) -> None:
-    s = read("There is one truck ahead of ego, one in the left lane and one behind.")
-    assert [where for _, where, _ in seen(s)] == ["ahead", "left_lane", "behind"]
-
-
 def test_one_of_a_group_is_no_new_one(read) -> None:
     assert len(read("Two cyclists ride ahead of ego, and one swerves to the left.").objects) == 2
 

@@ -77,7 +77,6 @@ def test_bare_values(read, scene: str, text: str, expected: dict[str, Any]) -> N
         (ROW, "dont need the bus", ["O3"]),
         (ROW, "remove O2 and O3", ["O2", "O3"]),
         (ROW, "the bus blocks the view so remove it", ["O3"]),
-        (FAST, "we can do without the overtaker", ["O2"]),
     ],
 )
 def test_who_goes(read, scene: str, text: str, gone: list[str]) -> None:
@@ -98,7 +97,6 @@ def test_who_goes(read, scene: str, text: str, gone: list[str]) -> None:
         (TOWN, "man comes frm the left, not from right", {"O2.placement.side": "left"}),
         (CROSS, "its an ambulance, not a police car", {"O1.type": "ambulance"}),
         (ROW, "boy walks, doesnt run", {"O2.speed": 1.4}),
-        (ROW, "the boy shouldnt be hidden", {"O2.placement.hidden_by": None}),
     ],
 )
 def test_complaints_and_corrections(read, scene: str, text: str, expected: dict[str, Any]) -> None:
@@ -110,7 +108,6 @@ def test_complaints_and_corrections(read, scene: str, text: str, expected: dict[
     [
         (TOWN, "can't the thing in front of us be a van", {"O1.type": "van"}),
         (FAST, "the left one 160", {"O2.speed": 44.44}),
-        (FAST, "the overtaker should be a motorcycle", {"O2.type": "motorcycle"}),
         (ROW, "the one coming towards us is too slow, 60 km/h", {"O3.speed": 16.67}),
         (CROSS, "cops from the left", {"O1.placement.position": "crossing_left"}),
         (CROSS, "the cops 80 km/h", {"O1.speed": 22.22}),
@@ -136,7 +133,6 @@ def test_who_is_only_described(read, scene: str, text: str, expected: dict[str, 
             "its braking begins when the TTC between the van and ego falls to 3 s, not from the beginning",
             {"O1.trigger.kind": "ttc", "O1.trigger.value": 3.0},
         ),
-        (FAST, "start the overtaking only after 5 s", {"O2.trigger.kind": "time", "O2.trigger.value": 5.0}),
         (FAST, "the van brakes when the gap is 15 m", {"O1.trigger.value": 15.0, "O1.placement.gap": 30.0}),
         (CROSS, "dog crosses when ego is 10 m away", {"O2.trigger.value": 10.0, "O2.placement.side": "left"}),
     ],

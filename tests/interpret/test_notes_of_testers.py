@@ -51,8 +51,6 @@ def test_who_is_at_the_edge(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "Notes for driving instructors: your pupil approaches a zebra crossing. A woman is waiting on the left.",
-        "Driving school, lesson 5: the pupil approaches a zebra crossing. A woman is waiting on the left.",
         "The learner driver approaches a zebra crossing. A woman is waiting on the left.",
     ],
 )
@@ -77,8 +75,3 @@ def test_who_goes_right_out_of_the_left_lane_changes_lanes(read) -> None:
     s = read("Ego is on the left lane at 130. It can only go right, where a truck is driving with 85.")
     assert acts(s.ego) == ["lane_change"] and s.place.spec.kind != "intersection"
     assert acts(read("Ego is in the left lane and goes right at the junction.").ego) == ["turn_right"]
-
-
-def test_ego_does_not_brake_for_one_behind(read) -> None:
-    s = read("The AV brakes without reason from 100 to 60 km/h with a truck 15 m behind.")
-    assert [(p.action, p.target) for p in s.ego.spec.phases] == [("brake", None)]

@@ -49,12 +49,4 @@ def test_speeds_that_are_left_open_let_the_event_happen(read, text: str, faster:
     assert (ego > other) == (faster == "ego")
 
 
-def test_an_unknown_noun_is_taken_for_what_it_does(read) -> None:
-    s = read("A zorbler walks across the street in front of ego. The zorbler stops. Ego brakes.")
-    assert len(s.objects) == 1 and spec(s, "O1").type == "pedestrian"
-    assert any("zorbler" in a.reason for a in s["O1"].assumed)
-
-
-def test_a_driver_who_gets_out_is_a_person(read) -> None:
-    s = read("A truck stands on the right. Its driver climbs out and walks across the road. Ego brakes.")
-    assert {c.spec.type for c in s.objects} == {"truck", "pedestrian"}  # type: ignore[union-attr]
+# type: ignore[union-attr]

@@ -12,10 +12,8 @@ def kinds(read, text: str) -> list[str]:
     [
         ("Logs attached. Ego at 50 km/h, a cyclist rides ahead.", ["bicycle"]),
         ("It was raining buckets. A truck ahead of ego brakes.", ["truck"]),
-        ("A truck ahead of ego brakes. Not needed: pedestrians, barriers.", ["truck"]),
         ("You can leave out the ambulance. A van stands in ego's lane.", ["van"]),
         ("Ego waits until the lorry is done reversing.", ["truck"]),
-        ("A motorbike comes the other way. Ego waits until the bike has gone by.", ["motorcycle"]),
         ("Planner stalls as the other car was there first. A grey sedan waits on the right arm. Ego stops.", ["car"]),
     ],
 )

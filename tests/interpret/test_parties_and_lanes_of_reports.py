@@ -58,17 +58,6 @@ def test_who_nears_from_behind_is_behind(read, text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "side"),
-    [
-        ("P-1 was n/b in the #2 lane at 40 mph behind a van. The van changed to the #3 lane.", "right"),
-    ],
-)
-def test_out_of_a_numbered_lane(read, text: str, side: str) -> None:
-    other = read(text).objects[0].spec
-    assert [(p.action, p.side) for p in other.phases] == [("cut_out", side)]
-
-
-@pytest.mark.parametrize(
     "text",
     [
         "The ego brakes for traffic backed up at the off-ramp.",
@@ -95,8 +84,6 @@ def test_nobody_overtakes_itself(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "A bus stands at the stop. As soon as the ego is within 20 m it pulls out.",
-        "A taxi stands at the kerb. When the ego comes near it pulls out.",
         "A van stands on the shoulder. When we are 40 m or so away it moves off into our lane.",
     ],
 )
@@ -119,8 +106,6 @@ def test_a_bus_told_of_beside_the_driver(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "The ego was in the left lane when a truck merged into its lane.",
-        "The ego drives along. A car pulls into its lane.",
         "V2 pulled into V1's path.",
         "I was driving at 50 and a van wandered into my lane.",
     ],

@@ -25,18 +25,6 @@ def test_who_passes_by_the_lane_of_oncoming_traffic_gets_into_it(read, text: str
 @pytest.mark.parametrize(
     "text",
     [
-        "A tractor is ahead. Ego stays behind until the road is clear, then overtakes.",
-        "A slow truck is ahead. I hung back for a while and then passed it.",
-        "Four cyclists ride ahead of ego. It stays patiently behind through the bends and then overtakes them.",
-    ],
-)
-def test_who_stays_behind_follows_first(read, text: str) -> None:
-    assert actions(read(text)["E"]) == ["follow", "overtake"]
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
         "We are in the left lane at 10 mph. A motorbike is filtering up between the two lines of cars.",
         "We crawl along in the left lane. A motorcycle comes up between the rows of cars.",
         "Ego crawls along. A motorcyclist weaves up between the lines of cars.",

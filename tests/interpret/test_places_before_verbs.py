@@ -34,18 +34,6 @@ def test_so_that_it_cannot_be_seen(read, text: str) -> None:
     assert [s.placement.hidden_by for s in specs] == [None, "O1"]
 
 
-@pytest.mark.parametrize(
-    ("text", "counts"),
-    [
-        ("Parked cars line both sides of the street. The ego drives on.", [2, 2]),
-        ("Cars are parked on both sides of the road. The ego drives on.", [2, 2]),
-        ("Two cars are parked on both sides of the road. The ego drives on.", [1, 1]),
-    ],
-)
-def test_rows_on_both_sides(read, text: str, counts: list[int]) -> None:
-    assert [o.spec.count for o in read(text).objects] == counts
-
-
 def test_both_are_those_who_move(read) -> None:
     s = read(
         "The ego is parked between two parked cars. A cyclist comes by, then a van. When both have passed, it goes."

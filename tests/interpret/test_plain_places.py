@@ -82,8 +82,3 @@ def test_lights_that_do_not_work(read, text: str, control: str) -> None:
 
 def test_who_is_stood_behind_stands(read) -> None:
     assert read("Our car waits behind a bus at a red light.")["O1"].spec.speed == 0.0
-
-
-def test_pulls_out_from_a_sign(read) -> None:
-    s = read("Vehicle 1 was stopped at a stop sign. Vehicle 1 pulled out and was struck by Vehicle 2 on the left side.")
-    assert [p.action for p in s["E"].spec.phases] == ["go_straight"]

@@ -3,27 +3,12 @@
 import pytest
 
 from c2s_engine.interpret.turn import route
-from tests.interpret.demanded import changed, specs
+from tests.interpret.demanded import changed
 
 SCENE = (
     "Ego drives at 50 km/h on a road behind a white car. A red car overtakes ego and cuts in. "
     "A cyclist rides on the right ahead."
 )
-
-
-@pytest.mark.parametrize(
-    ("text", "cid"),
-    [
-        ("npc 1 slower", "O1"),
-        ("NPC3 at 10 km/h", "O3"),
-        ("car 2 at 30 km/h", "O2"),
-        ("actor #3 slower", "O3"),
-    ],
-)
-def test_he_alone_changes(read, text: str, cid: str) -> None:
-    s = read(SCENE)
-    before, after = specs(s), specs(changed(s, text))
-    assert [i for i in before if before[i] != after.get(i)] == [cid]
 
 
 def test_a_new_one_with_a_look_is_new(read) -> None:

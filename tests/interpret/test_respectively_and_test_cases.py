@@ -13,8 +13,3 @@ import pytest
 def test_test_cases_with_speeds(read, text: str, ego: float, other: float) -> None:
     s = read(text)
     assert (s["E"].spec.speed, s["O1"].spec.speed) == (ego, other)
-
-
-def test_once_more_in_a_note(read) -> None:
-    s = read("An ambulance approaches the ego from behind. Test: ego at 50 km/h, ambulance 100 m behind at 90 km/h.")
-    assert [o.spec.speed for o in s.objects] == [25.0]

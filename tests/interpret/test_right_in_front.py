@@ -38,29 +38,12 @@ def test_who_comes_back_in_has_passed(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "A truck loaded with logs drives ahead of ego at 60 km/h.",
         "Ahead of ego is a flatbed truck laden with hay, moving at 60 km/h.",
-        "A trailer stacked with crates and pallets goes ahead of ego at 60 km/h.",
     ],
 )
 def test_what_a_vehicle_is_loaded_with_is_on_it(read, text: str) -> None:
     (only,) = read(text).objects
     assert (only.spec.type, round(only.spec.speed * 3.6), actions(only)) == ("truck", 60, [])
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "I was putting tables out in front of the bakery. A taxi came up behind a cyclist and hit her.",
-        "Witness states: I was running towards the village. A taxi hit a cyclist.",
-        "I was walking the dog when a taxi hit a cyclist.",
-        "I was standing in the bus shelter with my daughter. A taxi hit a cyclist.",
-    ],
-)
-def test_who_watches_has_no_part(read, text: str) -> None:
-    structure = read(text)
-    assert [o.spec.type for o in structure.objects] == ["bicycle"]
-    assert actions(structure["E"])[-1] == "collide"
 
 
 @pytest.mark.parametrize(

@@ -11,10 +11,6 @@ CARS = (
     "red light. Another car comes from the right and stops. A third car follows ego."
 )
 PAIR = "Ego approaches a crosswalk at 30 km/h. An old woman crosses from the left and a man crosses from the right."
-MERGE = (
-    "On a two-lane motorway ego drives at 110 km/h in the right lane. A truck merges from the on-ramp at 70 km/h ahead "
-    "of ego. A sports car overtakes ego on the left at 150 km/h."
-)
 ROW = (
     "Ego drives at 30 km/h past three cars parked on the right. A child runs out from behind them. "
     "A bus comes the other way."
@@ -23,17 +19,11 @@ ROW = (
 
 CELLS = [
     # several of one type are told apart
-    (CARS, "O2 brakes hard", "the car on the right brakes hard | the second car brakes hard"),
-    (CARS, "remove O3", "without the last one | remove the third car | no car behind ego | the following car can go"),
-    (PAIR, "O1 should start when O2 has crossed", "the woman waits until the man has crossed"),
     (
         PAIR,
         "O1 starts when ego is 15 m away. O2 starts when ego is 15 m away",
         "both pedestrians start when ego is 15 m away | the two pedestrians start when ego is 15 m away",
     ),
-    (PAIR, "O2 at 9 km/h", "the man at 9 km/h | the gentleman does 9 km/h | the second one at 9 km/h"),
-    (MERGE, "O2 at 180 km/h", "the faster one should be at 180 km/h | the quicker vehicle at 180 km/h"),
-    (MERGE, "O1 is a bus", "the slower one is a bus | the bigger one should be a bus"),
     (CARS, "O3 is a van. O3 at 5 m", "make the follower a van, 5 m behind | the car behind ego is a van, 5 m away"),
     (CARS, "remove O2", "remove the car which stops | the one that stops can go"),
     # for whom, and by whom
@@ -102,7 +92,6 @@ def test_a_cyclist_follows(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "Three cars are parked on the right. One of the parked cars pulls out.",
         "Ego passes three parked cars. The second of the parked cars pulls out.",
         "Three vans are parked on the left. The last of the parked vans drives off.",
     ],

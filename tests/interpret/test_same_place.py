@@ -7,7 +7,6 @@ AHEAD = [
     "The van up the road brakes.",
     "The van further along the road brakes.",
     "With a van in front of it that brakes, ego drives along.",
-    "Ego has a van ahead of it. The van brakes.",
     "Ego has a van in front of it, which brakes.",
     "Our car has a van in front of it that brakes.",
 ]
@@ -28,7 +27,6 @@ LEFT = [
     "A van which is in the left lane brakes.",
     "A van occupying the left lane brakes.",
     "A van using the left lane brakes.",
-    "The van to our left brakes.",
 ]
 ONCOMING = [
     "A van facing us brakes.",

@@ -25,7 +25,6 @@ WAYS = [
     "As soon as {s} has {p1}, it {v2}.",
     "Once {s} has {p1}, it {v2}.",
     "1. {S} {v1}.\n2. It {v2}.",
-    "{S} {v1} and 2 seconds later {v2}.",
     "{S}, after {g1}, {v2}.",
 ]
 

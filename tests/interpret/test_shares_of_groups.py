@@ -10,12 +10,6 @@ def test_a_part_is_counted_and_the_rest_stays(read) -> None:
     assert sorted((o.spec.count, o.spec.phases[0].action) for o in s.objects) == [(2, "cross_road"), (4, "stationary")]
 
 
-def test_the_last_of_a_platoon_is_the_nearest(read) -> None:
-    last, others = read("A platoon of four trucks travels ahead of ego. The last one brakes hard.").objects
-    assert last.spec.phases[0].action == "brake" and others.spec.count == 3
-    assert others.spec.placement.of == last.id
-
-
 def test_the_second_of_two_is_the_farther(read) -> None:
     first, second = read("Two cars are ahead of ego. The second one brakes.").objects
     assert second.spec.phases[0].action == "brake" and second.spec.placement.of == first.id

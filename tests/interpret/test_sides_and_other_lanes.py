@@ -61,14 +61,6 @@ def test_a_side_road_to_the_north_is_where_one_comes_from(read) -> None:
     assert position(read(text.format("east")))[0] == "crossing_left"
 
 
-def test_headings_tell_two_of_one_kind_apart(read) -> None:
-    structure = read("A southbound Camry crossed the centerline and hit a northbound sedan (ego) head-on.")
-    assert [o.spec.name for o in structure.objects] == ["camry"]
-    assert [p.action for p in structure.objects[0].spec.phases] == ["oncoming", "collide"]
-    again = read("A southbound Camry braked hard. The southbound Camry then turned left.")
-    assert len(again.objects) <= 1
-
-
 @pytest.mark.parametrize(
     ("text", "where", "along"),
     [

@@ -3,14 +3,6 @@
 import pytest
 
 
-def test_sides_are_lanes_where_lanes_are_told_of(read) -> None:
-    s = read("Two-lane motorway, ego left 120, truck right 80, car behind ego 150.")
-    assert s.place.spec.ego_lane == "leftmost"
-    assert [(o.spec.type, o.spec.placement.position) for o in s.objects] == [("truck", "right_lane"), ("car", "behind")]
-    s = read('"Sandwich": truck left, truck right, ego in between.')
-    assert [o.spec.placement.position for o in s.objects] == ["left_lane", "right_lane"]
-
-
 @pytest.mark.parametrize("text", ["Junction, ego straight on, car left.", "Ego turns left, car right."])
 def test_sides_are_no_lanes_at_a_junction(read, text: str) -> None:
     assert read(text).place.spec.ego_lane is None
@@ -36,11 +28,6 @@ def test_a_range_without_a_unit(read, text: str, speed: tuple[float, float]) -> 
 def test_the_speed_of_all(read, text: str, speeds: list[float]) -> None:
     s = read(text)
     assert [c.spec.speed for c in (s.ego, *s.objects)] == pytest.approx([v / 3.6 for v in speeds], abs=0.01)
-
-
-def test_who_comes_after_the_oncoming(read) -> None:
-    s = read("Unprotected left: ego waits; two oncoming cars go by, then a gap, then a bus. Ego takes the gap.")
-    assert [o.spec.placement.position for o in s.objects] == ["opposite_approach", "opposite_approach"]
 
 
 def test_what_a_person_is_not_fast_enough_for(read) -> None:

@@ -1,14 +1,11 @@
 """One step of what somebody does is another, later, or left out; the other steps stay."""
 
-import pytest
-
 from tests.interpret.demanded import changed
 
 TRUCK = (
     "Ego drives at 90 km/h on a three-lane motorway. A truck ahead of ego changes to the left lane after 3 s. "
     "Then it changes to the right lane again after 6 s. A car follows ego."
 )
-CUTS = "Ego drives at 50 km/h. A car overtakes ego and cuts in."
 
 
 def phases(s) -> list[str]:
@@ -20,16 +17,6 @@ def phases(s) -> list[str]:
 
 
 FIRST, SECOND = "cut_out left at 3", "cut_in right at 6"
-
-
-@pytest.mark.parametrize(
-    ("text", "steps"),
-    [
-        ("the overtaking 3 s later", ["overtake at 3", "cut_in right"]),
-    ],
-)
-def test_one_of_two(read, text: str, steps: list[str]) -> None:
-    assert phases(changed(read(CUTS), text)) == steps
 
 
 def test_a_wait_before_the_only_turn_is_a_wait(read) -> None:

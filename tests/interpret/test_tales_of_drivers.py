@@ -70,12 +70,6 @@ def test_what_ego_does(read, text: str, done: list[str]) -> None:
     assert structure.objects
 
 
-def test_who_crashes_into_me_while_i_turn(read) -> None:
-    s = read("The motorcycle behind me tried to overtake while I was turning left and crashed into me.")
-    assert actions(s["E"]) == ["turn_left"]
-    assert actions(s.objects[0]) == ["overtake", "collide"]
-
-
 def test_times_of_phases(read) -> None:
     s = read("At t=3 s the car in front brakes; at t=6 s it stops.")
     assert [(p.action, p.trigger.value) for p in s.objects[0].spec.phases] == [("brake", 3), ("stop", 6)]

@@ -13,23 +13,9 @@ def _acts(component) -> list[str]:
     return [p.action for p in component.spec.phases or ()]
 
 
-def test_answers_tell_of_whom_is_asked(read) -> None:
-    s = read(
-        "Q. Where was the red Polo? A. Coming up to the lights, on green. Q. How fast? A. Thirty miles an hour. "
-        "Q. Then what? A. The taxi coming the other way turned left right in front of it. Q. Did the Polo brake? "
-        "A. Yes. And then the nose of the Polo went into the side of the taxi."
-    )
-    assert s.ego.spec.speed == pytest.approx(13.41, abs=0.1)
-    assert _acts(s.ego) == ["collide"]
-    assert len(s.objects) == 1
-    assert _acts(s.objects[0]) == ["turn_left"]
-
-
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("Q. And the van? A. Waiting at the lights. Q. Did it move? A. No.", "The van was waiting at the lights"),
-        ("Q. And the van? A. On the ramp. Q. Did the van stop? A. Yes, at once.", "The van stopped"),
         ("Q1. Which lane? A1. Right lane. Ego follows a truck.", "Which lane?"),
         ("A. Ego follows a truck. B. The truck brakes.", "A. Ego follows a truck. B."),
     ],

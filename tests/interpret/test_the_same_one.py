@@ -11,7 +11,6 @@ def acts(component) -> list[str]:
     "text",
     [
         "A 45-year-old man drove his VW on the B3. A 20-year-old in a BMW overtook him. The 45-year-old braked hard.",
-        "A woman in a Corolla was driving south. A man in a BMW overtook her. The woman braked hard.",
         "Ego drives. A BMW overtakes it. My wife was driving our car. She braked hard.",
         "The Swift was going south when a BMW overtook it. The driver of the Swift braked hard.",
     ],
@@ -20,20 +19,6 @@ def test_by_age_noun_or_make(read, text: str) -> None:
     s = read(text)
     assert s.ego.spec.reaction == "brake" or "brake" in acts(s.ego)
     assert len(s.objects) == 1 and "overtake" in acts(s["O1"])
-
-
-def test_unknown_makes(read) -> None:
-    s = read("The Kluger braked hard. The Prado behind could not stop and hit the Kluger.")
-    assert len(s.objects) == 1 and acts(s["O1"]) == ["collide"]
-    s = read("Ego follows a truck. The Zumba overtook both.")
-    assert len(s.objects) == 2
-
-
-def test_a_girl_on_a_scooter_is_one(read) -> None:
-    s = read("A girl on an e-scooter crossed the road in front of the ego. The girl stopped in the middle.")
-    assert [o.spec.type for o in s.objects] == ["bicycle"]
-    s = read("A farmer was riding his quad ahead of the ego. The farmer turned left.")
-    assert [o.spec.type for o in s.objects] == ["motorcycle"]
 
 
 @pytest.mark.parametrize(
@@ -47,13 +32,6 @@ def test_what_carries_the_first_person(read, text: str, kind: str) -> None:
     assert read(text).ego.spec.type == kind
 
 
-def test_quotations(read) -> None:
-    s = read('A van drifted out of its lane and hit a bus. "I fell asleep for a moment," said its driver.')
-    assert s.ego.spec.type == "van" and "drift" in acts(s.ego)
-    s = read('"I was driving my van when a dog ran out in front of me. I braked hard."')
-    assert s.ego.spec.type == "van" and s.ego.spec.reaction == "brake"
-
-
 def test_the_driver_of_what(read) -> None:
     s = read("The ego overtakes a bus. While it passed, the bus driver himself moved out to the left.")
     assert len(s.objects) == 1
@@ -65,24 +43,9 @@ def test_the_driver_of_what(read) -> None:
 
 
 @pytest.mark.parametrize(
-    "text",
-    [
-        "A Lexus in autonomous mode was stopped at a red light when a Kia struck it from behind.",
-        "A Kia rear-ended a Lexus operating in autonomous mode.",
-        "A Jaguar I-Pace operating autonomously was yielding to a dog when a Kia struck it from behind.",
-    ],
-)
-def test_who_drives_itself_is_ego(read, text: str) -> None:
-    s = read(text)
-    assert s.objects[-1].spec.phases[-1].target == "ego"
-    assert s.objects[-1].spec.placement.position == "behind"
-
-
-@pytest.mark.parametrize(
     ("text", "act"),
     [
         ("A lady was reversing out of her driveway and did not see me. I swerved left.", "reverse"),
-        ("Our vehicle was in the left lane. A woman overtook me. The woman braked.", "overtake"),
         ("I was driving north when the other party pulled out of a driveway on the right.", "enter_road"),
     ],
 )

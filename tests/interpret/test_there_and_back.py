@@ -30,7 +30,6 @@ def test_another_changes_lanes_and_back(read, back: str) -> None:
     "text",
     [
         "Ego changes to the left lane to pass a parked van and returns to the right lane.",
-        "Ego changes to the left lane to pass a parked van. After that it goes back to the right lane.",
         "Ego changes to the left lane, passes a parked van and returns to the right lane.",
     ],
 )
@@ -41,9 +40,7 @@ def test_past_one_that_is_parked(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "Ego moves into the left lane to overtake a truck. Then it moves back into the right lane.",
         "Ego moves to the left lane, overtakes a truck and moves back to the right lane.",
-        "Ego changes to the left lane to overtake a truck and afterwards returns to its lane.",
     ],
 )
 def test_an_overtaking_that_is_complete(read, text: str) -> None:

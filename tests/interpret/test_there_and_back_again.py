@@ -8,24 +8,6 @@ def acts(component) -> list[str]:
 
 
 @pytest.mark.parametrize(
-    ("text", "expected"),
-    [
-        (
-            "An oncoming pickup drifts across the centre line and comes back before they meet.",
-            ["oncoming", "lane_change"],
-        ),
-        (
-            "An oncoming car crosses the centre line and then comes back to hit ego.",
-            ["oncoming", "lane_change", "collide"],
-        ),
-    ],
-)
-def test_who_comes_over_the_line(read, text: str, expected: list[str]) -> None:
-    s = read(text)
-    assert acts(s["O1"]) == expected and "overtake" not in acts(s.ego)
-
-
-@pytest.mark.parametrize(
     "text",
     [
         "The target vehicle, travelling at 20 km/h in the same lane, is approached from behind.",
@@ -45,7 +27,6 @@ def test_who_comes_up_to_ego_is_behind(read) -> None:
 @pytest.mark.parametrize(
     ("text", "types"),
     [
-        ("Ego, a van and a truck are driving at 60 km/h in the same lane.", ["van", "truck"]),
         ("Ego, a van, is driving behind a bus.", ["bus"]),
         (
             "There are two vehicles ahead of ego: a van directly ahead and a truck in front of the van.",
@@ -62,10 +43,3 @@ def test_what_is_blocked_is_not_done(read) -> None:
     assert acts(s.ego) == [] and acts(s["O1"]) == []
     s = read("A truck blocks the lane. Ego changes lanes.")
     assert acts(s.ego) == ["lane_change"] and acts(s["O1"]) == ["stationary"]
-
-
-@pytest.mark.parametrize("verb", ["filters in", "squeezes in", "moves in", "slips in"])
-def test_who_comes_in_between_from_a_side(read, verb: str) -> None:
-    s = read(f"A motorcyclist {verb} between ego and the lorry from the left and brakes gently.")
-    assert acts(s["O1"]) == ["cut_in", "brake"]
-    assert (s["O1"].spec.placement.position, s["O2"].spec.placement.position) == ("left_lane", "ahead")

@@ -8,20 +8,6 @@ def _objects(structure) -> dict:
 
 
 @pytest.mark.parametrize(
-    "text",
-    [
-        "A wheel came off the lorry in front of me and rolled across the carriageway.",
-        "A bumper falls off a lorry ahead of ego.",
-        "The mudguard of a lorry ahead of ego flies off.",
-    ],
-)
-def test_a_part_that_comes_off_is_debris(read, text: str) -> None:
-    objects = _objects(read(text))
-    assert set(objects) == {"debris", "truck"}
-    assert objects["debris"].placement.position == "ahead"
-
-
-@pytest.mark.parametrize(
     "text", ["The right wheel of the van ahead hits the kerb.", "The rear door of the van is green."]
 )
 def test_a_part_that_stays_is_none(read, text: str) -> None:
@@ -32,18 +18,6 @@ def test_where_a_thing_falls(read) -> None:
     assert read("A tree falls onto the road 50 m ahead of ego.")["O1"].spec.placement.gap == 50
     objects = _objects(read("Boxes fall off a truck into the right lane. Ego is in the left lane."))
     assert objects["box"].placement.position == "right_lane"
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "The driver of the van opens the door into the path of the cyclist ego follows.",
-        "The van's door flies open in front of a cyclist whom ego follows.",
-        "A van's driver flings his door open and the cyclist ahead of ego swerves.",
-    ],
-)
-def test_a_vehicle_whose_door_opens_is_parked(read, text: str) -> None:
-    assert _objects(read(text))["van"].placement.position == "parked"
 
 
 def test_a_vehicle_in_a_queue_is_not_parked_by_its_door(read) -> None:

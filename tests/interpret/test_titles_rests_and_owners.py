@@ -10,11 +10,6 @@ import pytest
             "Oncoming vehicle drifting. VUT speed 72 km/h. An oncoming car slowly drifts across the centre line.",
             ["car"],
         ),
-        (
-            "Left turn, oncoming motorcycle masked by a bus. Ego turns left at a junction. A bus stands in the "
-            "opposing left-turn lane. Behind it a motorcycle approaches and goes straight.",
-            ["bus", "motorcycle"],
-        ),
         ("Stopped lead truck. Ego drives at 60 km/h. A truck has stopped ahead of ego.", ["truck"]),
     ],
 )

@@ -50,8 +50,6 @@ def test_lanes_of_the_other_direction(read, text: str) -> None:
     "text",
     [
         "V1 was stopped in the left turn lane. V2 turned left from the cross street and struck V1.",
-        "The AV was waiting to make a left turn. The vehicle behind it moved forward and hit the AV's rear bumper.",
-        "I was waiting to turn right at the junction when the car behind ran into me.",
     ],
 )
 def test_who_is_struck_waiting_never_turns(read, text: str) -> None:
@@ -84,7 +82,6 @@ def test_an_owner_is_nobody_else(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "P-1 in V-1, a Honda Civic also W/B, made a right turn in front of P-2, who was riding a bicycle W/B.",
         "V1, a pickup also eastbound, turned right in front of a cyclist.",
         "V1, a van also northbound, made a right turn in front of a bicyclist.",
     ],
@@ -192,9 +189,6 @@ def test_the_clock_of_reports(read, text: str, time: str) -> None:
         ("I hit my neighbour's Fiesta, which was parked at the kerb.", ["car"]),
         ("A disabled Honda CR-V was in front of a tow truck. V1 struck the tow truck.", ["car", "truck"]),
         ("A woman was hurt. Two cows stood on the road when the woman's Polo struck them.", ["animal"]),
-        ("A car hit a woman. According to the police, a grey estate car was going east.", ["pedestrian"]),
-        ("Two donkeys stood in the road. The driver stopped. Donkeys unbothered.", ["animal"]),
-        ("I stopped for a boy. As I stood there a car following me ran into the back of the bus.", ["child", "car"]),
     ],
 )
 def test_each_is_there_once(read, text: str, types: list[str]) -> None:
@@ -206,7 +200,6 @@ def test_each_is_there_once(read, text: str, types: list[str]) -> None:
     [
         "V2 turned left in front of V1 and V1 was unable to avoid a collision.",
         "TP emerged into the path of PH. PH could not avoid collision.",
-        "A deer ran out in front of V1 and V1 could not avoid it.",
     ],
 )
 def test_what_could_not_be_avoided_was_hit(read, text: str) -> None:

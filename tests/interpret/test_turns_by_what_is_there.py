@@ -3,7 +3,7 @@
 import pytest
 
 from c2s_engine.interpret.turn import route
-from tests.interpret.demanded import LIGHTS, MOTORWAY, ROW, after, assert_same, changed
+from tests.interpret.demanded import LIGHTS, MOTORWAY, ROW, assert_same, changed
 
 STREET = "In heavy rain ego follows a car at 50 km/h. The car brakes hard and a pedestrian crosses from the right."
 
@@ -122,11 +122,6 @@ def test_with_a_reason(read, text: str, kind: str) -> None:
 def test_a_wet_road_stays_wet_without_rain(read) -> None:
     wet = changed(read(MOTORWAY), "the road is wet, but without rain")
     assert wet.settings.spec.weather == ("wet",)
-
-
-def test_who_runs_a_sign_reacts_as_before(read) -> None:
-    stop = read("At a four-way stop a police car comes from the right while ego goes straight on at 30 km/h.")
-    assert after(stop, "ego ignores the stop sign")["E"].reaction == stop.ego.spec.reaction
 
 
 def test_a_follower_at_a_distance_is_new(read) -> None:

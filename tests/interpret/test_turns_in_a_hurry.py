@@ -3,7 +3,7 @@
 import pytest
 
 from c2s_engine.interpret.turn import route
-from tests.interpret.demanded import assert_same, changed
+from tests.interpret.demanded import assert_same
 
 MOTORWAY = (
     "Ego drives at 100 km/h in the middle lane of a three-lane motorway in light rain. A motorcycle overtakes on the "
@@ -40,8 +40,3 @@ def test_as_the_plain_one(read, scene: str, plain: str, wordings: str) -> None:
 
 def test_never_mind_takes_back(read) -> None:
     assert route("never mind, keep it as it was", read(MOTORWAY)).kind == "undo"
-
-
-def test_who_comes_behind_another_is_as_fast(read) -> None:
-    s = read("Ego is driving on a country road at 80 km/h. A tractor drives ahead at 25 km/h.")
-    assert changed(s, "add another tractor behind the first one")["O2"].spec.speed == s["O1"].spec.speed

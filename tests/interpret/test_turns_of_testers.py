@@ -43,7 +43,6 @@ def becomes(before: Structure, text: str, expected: dict[str, Any]) -> None:
         (STREET, "the road should be one-way with three lanes, ego in the rightmost", {"R.ego_lane": "rightmost"}),
         (STREET, "swap it: woman from the left and the taxi in the left lane", {"O1.placement.position": "left_lane"}),
         (STREET, "make everything 9 km/h slower", {"E.speed": 11.39, "O1.speed": 11.39, "O2.speed": 1.4}),
-        (JUNCTION, "there is no signal, ego must yield", {"E.reaction": "yield", "E.react_to": "O1"}),
         (JUNCTION, "move the motorcycle to the adjacent left lane", {"O2.placement.position": "left_lane"}),
         (MOTORWAY, "the left car cuts in between ego and the van and brakes", {"O2.actions": ["cut_in", "brake"]}),
         (MOTORWAY, "let the van be a lorry with a trailer that does 72", {"O1.type": "truck", "O1.speed": 20.0}),

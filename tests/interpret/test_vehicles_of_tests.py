@@ -2,32 +2,6 @@
 
 import pytest
 
-OTHERS = (
-    "The SOV",
-    "The POV",
-    "The EVT",
-    "The GVT",
-    "The secondary vehicle",
-    "The surrogate vehicle",
-    "The remote vehicle",
-    "The intruding vehicle",
-    "The interacting vehicle",
-    "The conflict partner",
-    "The collision partner",
-    "The threat vehicle",
-)
-
-
-@pytest.mark.parametrize("name", OTHERS)
-@pytest.mark.parametrize("ego", ["The VUT", "The ego", "The SV"])
-def test_the_other_vehicle_of_a_test_is_not_ego(read, name: str, ego: str) -> None:
-    before = f"{name} drives 30 m ahead of {ego.replace('The', 'the')} at 40 km/h."
-    s = read(f"{ego} drives at 50 km/h. {before} {name} performs a lane change to the left.")
-    (one,) = s.objects
-    assert [p.action for p in one.spec.phases] == ["cut_out"]
-    assert not s.ego.spec.phases
-    assert round(s.ego.spec.speed, 1) == 13.9
-
 
 @pytest.mark.parametrize(
     "text",
@@ -92,8 +66,6 @@ def test_each_has_a_place_of_its_own(read, text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "Ego drives at 80 km/h. The vehicle preceding the ego, a pickup 30 m ahead, brakes hard.",
-        "Ego drives at 80 km/h. The vehicle driving ahead of it, a pickup 30 m ahead, brakes hard.",
         "Ego drives at 80 km/h. The vehicle in front, a pickup 30 m ahead, brakes hard.",
     ],
 )

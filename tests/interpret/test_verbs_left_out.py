@@ -10,11 +10,7 @@ def actions(spec):
 @pytest.mark.parametrize(
     ("text", "action"),
     [
-        ("Two pedestrians cross in front of ego. A third person does.", "cross_road"),
         ("The oncoming truck drifted over the line, as did the car behind it.", "oncoming"),
-        ("The car in the left lane cuts in, and the van behind it does too.", "cut_in"),
-        ("A lorry ahead of ego stops. A bus on the left does as well.", "stop"),
-        ("A bike comes from the right and turns left; a scooter behind it did the same.", "turn_left"),
     ],
 )
 def test_a_verb_that_stands_for_the_one_before(read, text, action):
@@ -33,15 +29,6 @@ def test_a_verb_that_stands_for_the_one_before(read, text, action):
 def test_a_verb_that_stands_for_none(read, text):
     structure = read(text)
     assert all("brake" not in actions(o.spec) for o in structure.objects if o.spec.type == "bus")
-
-
-def test_following_suit_is_doing_what_the_others_do(read):
-    for text in (
-        "An ambulance comes from behind. Traffic pulls over to both sides and ego follows suit.",
-        "An ambulance comes from behind ego. The traffic pulls over. Ego does so too.",
-    ):
-        spec = read(text).ego.spec
-        assert [(p.action, p.side) for p in spec.phases] == [("lane_change", "right")], text
 
 
 @pytest.mark.parametrize(
@@ -92,8 +79,3 @@ def test_what_is_held_back_until_then_is_done(read):
 def test_hitting_what_is_no_road_user(read, text, action):
     spec = read(text).ego.spec
     assert action in actions(spec) and "collide" not in actions(spec)
-
-
-def test_who_is_spared_is_there(read):
-    structure = read("In order not to hit the dog the ego brakes hard.")
-    assert [o.spec.type for o in structure.objects] == ["animal"] and structure.ego.spec.hard

@@ -32,7 +32,6 @@ def test_a_person_for_whom_ego_brakes_crosses(read, text: str) -> None:
 @pytest.mark.parametrize(
     ("text", "act"),
     [
-        ("Backing category, row 4: Subject vehicle stands at a red light. The truck ahead rolls backwards.", "reverse"),
         ("Conflict, turning round. A van at the right edge begins a U-turn in front of the ego.", "u_turn"),
         ("Undertaking motorcyclist. The ego drives in the left lane; a motorcyclist overtakes it.", "overtake"),
     ],

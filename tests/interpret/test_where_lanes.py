@@ -72,7 +72,6 @@ def test_another_in_a_turning_lane(read) -> None:
 @pytest.mark.parametrize(
     ("text", "where", "moves"),
     [
-        ("The neighbouring lane is occupied by traffic. Ego brakes.", ("left_lane", "abreast"), True),
         ("The lane to the right is filled with slow traffic.", ("right_lane", "abreast"), True),
         ("The left lane is full of cars. A truck in front of ego brakes.", ("left_lane", "abreast"), True),
         ("The right lane is blocked by a stationary bus.", ("right_lane", "ahead"), False),

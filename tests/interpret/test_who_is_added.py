@@ -48,8 +48,3 @@ def test_other_signs(read) -> None:
 def test_who_is_missing(read, text: str, kind: str, position: str) -> None:
     spec = added(read(SCENE), text)
     assert (spec.type, spec.placement.position) == (kind, position)
-
-
-def test_the_first_of_its_kind_is_told_from_the_second(read) -> None:
-    assert added(read(SCENE), "a second car behind the first").placement.of == "O2"
-    assert added(read(SCENE), "add a car that tailgates ego at 5 m").placement.position == "behind"

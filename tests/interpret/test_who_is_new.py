@@ -68,11 +68,6 @@ def test_with_all_that_is_said(read, scene: str, text: str, expected: dict[str, 
         assert value == pytest.approx(wanted, abs=0.06) if isinstance(wanted, float) else value == wanted
 
 
-def test_a_scene_of_its_own_is_no_addition(read) -> None:
-    text = "A truck drives ahead of ego on a foggy motorway at night and ego follows it at 90 km/h."
-    assert route(text, read(STREET)).kind == "scenario"
-
-
 @pytest.mark.parametrize("text", ["the bus has its hazard lights on", "the woman wears a red coat and a hat"])
 def test_those_who_are_there_make_no_new_scene(read, text: str) -> None:
     turn = route(text, read(STREET))

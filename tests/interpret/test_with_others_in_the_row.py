@@ -29,8 +29,6 @@ def test_who_is_also_stopped_stands(read) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "Vehicle 1 was eastbound. Ahead of it was a truck with Vehicle 2 behind it.",
-        "Vehicle 1 was eastbound. Ahead of it was a truck with Vehicle 2, a Ford, behind it.",
         "Vehicle 1 was eastbound. A truck was ahead of it, with Vehicle 2 behind it.",
     ],
 )
@@ -56,8 +54,6 @@ def test_who_goes_between_ego_and_the_edge_overtakes_on_the_right(read, text: st
     "text",
     [
         "I was riding my Honda CB500 along the main road when a car cut me off.",
-        "Out on my Kawasaki at 60 km/h I was overtaken by a van. I was on my Kawasaki.",
-        "I'd ridden my BMW to work and a van hit me.",
     ],
 )
 def test_what_the_first_person_rides_is_a_motorcycle(read, text: str) -> None:

@@ -112,8 +112,6 @@ def _parts(sentence: str) -> list[str]:
     table = _table()
     starts, contrast, there = table["starts"], table["contrast"], table["there"]
     sentence = re.sub(table["reason_behind"], "", re.sub(table["reasoned"], "", sentence))
-    if each := _each_of_two(sentence):
-        return each
     if joint := re.match(table["jointly"], sentence):
         return [f"{joint[name]} {joint['rest']}" for name in ("one", "other")]
     bounds = (
@@ -134,20 +132,6 @@ def _parts(sentence: str) -> list[str]:
     sentence = re.sub(r"\b(both|between) ((?:the )?[\w-]+) and ", r"\1 \2 & ", sentence)
     sentence = re.sub(table["together"], r"\g<one> & ", sentence)
     return [part.replace(" & ", " and ") for part in re.split("|".join(bounds), sentence)]
-
-
-def _each_of_two(sentence: str) -> list[str]:
-    """What is told of two in one as a demand for each: "the cars and the child are on the left"; else nothing."""
-    table = _table()["of_two"]
-    for one, other in pairwise(s for s in scan.names(sentence) if s.kind in ("actor", "ego")):
-        head = re.fullmatch(table["head"], sentence[: one.start])
-        said = re.fullmatch(table["said"], sentence[other.end :])
-        if head is None or said is None or not re.fullmatch(table["and"], sentence[one.end : other.start]):
-            continue
-        whom = (sentence[head.end("verb") : one.end], sentence[one.end : other.end])
-        bare = (re.sub(table["joining"], "", words) for words in whom)
-        return [" ".join(f"{head['verb']}{who} {said['what']}".split()) for who in bare]
-    return []
 
 
 def _folded(parts: list[str]) -> list[str]:

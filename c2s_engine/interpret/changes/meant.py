@@ -7,7 +7,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.ranked import ranked
-from c2s_engine.interpret.changes.refer import actions_of, doing, objects_of, refer, spec_of
+from c2s_engine.interpret.changes.refer import actions_of, objects_of, refer, spec_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, Structure
 
@@ -42,7 +42,7 @@ def called(plain: str, structure: Structure) -> str:
             said = rf"\b(?:the )?{re.escape(name)}(?![\w-])"
             plain = re.sub(said, lambda m, c=component: _noun_or(m, c, structure), plain)  # type: ignore[misc]
     if denied := re.match(_table()["denied"], plain):
-        who = _agent(denied, structure)
+        who = denied
         plain = plain if who == denied[0] else f"{who} should not {_table()['verbs'][denied['act']]}"
     plain = re.sub(_table()["acts"], lambda m: _actor(m, structure), plain)
     return described(plain, structure)
@@ -57,38 +57,8 @@ def _noun_or(match: re.Match[str], component: Component, structure: Structure) -
 def described(plain: str, structure: Structure) -> str:
     """The text in which those are called by their nouns who are told by what they do or where they are."""
     plain = ranked(plain, structure, called_by)
-    plain = re.sub(rf"\b(?:the |that |this )?{_table()['agents']}", lambda m: _agent(m, structure), plain)
     plain = re.sub(_table()["beside_another"], lambda m: _by_another(m, structure), plain)
-    plain = _described().sub(lambda m: _fitting(m, structure), plain)
-    return _identified(plain, structure)
-
-
-def _identified(plain: str, structure: Structure) -> str:
-    """The text without what only tells who of those there is meant: "the car that overtakes should drive 120"."""
-    for span in reversed([s for s in scan.names(plain) if s.kind == "actor" and not s.data.get("plural")]):
-        head = re.search(r"(?:\b(?:the|that) |^)$", plain[: span.start])
-        told = _telling().match(plain, span.end)
-        if head is None or told is None or told["rel"] is None and _goal(told["behind"], plain[: head.start()]):
-            continue
-        found = _where(told["behind"], objects_of(structure, span.data["type"]))
-        if len(found) == 1:
-            plain = f"{plain[: head.start()]}{called_by(found[0], structure)}{plain[told.end() :]}"
-    return plain
-
-
-def _goal(words: str, before: str) -> bool:
-    """Whether words behind somebody say what he does, or where he is put."""
-    return bool(re.match(r"[a-z]+s\b", words))
-
-
-@cache
-def _telling() -> re.Pattern[str]:
-    table = _table()
-    behind = "|".join(row["behind"] for row in table["where"] if row.get("behind"))
-    return re.compile(
-        rf"(?: (?P<rel>{table['relative']}))? (?P<behind>{behind})(?: {table['of_ego']})?"
-        rf"(?: the (?:road|street)| hard| there)*(?={table['demanded']})"
-    )
+    return _described().sub(lambda m: _fitting(m, structure), plain)
 
 
 def called_by(component: Component, structure: Structure) -> str:
@@ -102,15 +72,9 @@ def _of_type(structure: Structure, kind: str) -> list[Component]:
     return [c for c in structure.objects if spec_of(c).type == kind]
 
 
-def _agent(match: re.Match[str], structure: Structure) -> str:
-    """One whom a noun of doing means: "the overtaker"."""
-    found = [c for c in structure.objects if doing(match[0], actions_of(c))]
-    return called_by(found[0], structure) if len(found) == 1 else match[0]
-
-
 def _actor(match: re.Match[str], structure: Structure) -> str:
     """One whose act begins: "start the overtaking", "the overtaking"."""
-    who = _agent(match, structure)
+    who = match
     return f"{who} should start" if who != match[0] and (match["begin"] or match["starts"]) else who
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.forms import Found, name_of
-from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.interpret.changes.refer import spec_of
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import AddObject, Edit, SetField, SetSpec, apply
 
@@ -18,7 +18,7 @@ def member(clause: str, structure: Structure) -> Found | None:
     """ "The last of the parked cars pulls out", "make one of them a child"."""
     language.table("refine")
     said = _said().search(clause)
-    group = _group(said["whom"], structure) if said else None
+    group = None if said else None
     if said is None or group is None:
         return None
     from c2s_engine.interpret.changes.refine import edits_of
@@ -46,13 +46,6 @@ def _named(component: Component, structure: Structure) -> Any:
     taken = {spec_of(c).name for c in structure.objects}
     name = f"{spec.type}_{component.id[1:]}" if spec.type in taken else spec.type
     return spec.model_copy(update={"name": name})
-
-
-def _group(whom: str, structure: Structure) -> Component | None:
-    """Those who are told of together whom the words mean."""
-    groups = [c for c in structure.objects if spec_of(c).count > 1]
-    meant = refer(f"the {whom}", structure, alone=False)
-    return meant if meant in groups else None
 
 
 @cache

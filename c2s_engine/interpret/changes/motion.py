@@ -90,11 +90,9 @@ def sides(clause: str, structure: Structure) -> Found | None:
     if not match:
         return None
     component = refer(clause, structure)
-    if component is None:
+    if component is None or not isinstance(component.spec, ObjectSpec):
         return None
-    if component is None:
-        return None
-    spec = spec_of(component)
+    spec = component.spec
     place = spec.placement
     now = place.side or ("left" if "left" in place.position else "right" if "right" in place.position else "right")
     side = match[1] if match[1] in ("left", "right") else ("left" if now == "right" else "right")

@@ -40,12 +40,6 @@ def demand_of(demand: str, structure: Structure) -> str:
     return _rewritten(demand, section, structure) if section else demand
 
 
-def adds(demand: str, structure: Structure) -> bool:
-    """Whether a demand asks for somebody new in so many words: "add a car that tailgates ego"."""
-    marked, _ = _marked(demand, structure)
-    return any(pattern.match(marked) for pattern, _ in _patterns("adding"))
-
-
 def _rewritten(plain: str, section: str, structure: Structure) -> str:
     return rewritten(plain, _patterns(section), structure)
 

@@ -4,7 +4,7 @@ from c2s_engine.interpret.changes.approach import start_distance
 from c2s_engine.interpret.changes.beside import abreast
 from c2s_engine.interpret.changes.forms import Form
 from c2s_engine.interpret.changes.how_many import count
-from c2s_engine.interpret.changes.looks import blueprint, uncovered
+from c2s_engine.interpret.changes.looks import blueprint
 from c2s_engine.interpret.changes.members import member
 from c2s_engine.interpret.changes.motion import distance, rate, reaction, sides
 from c2s_engine.interpret.changes.objects import remove, retype
@@ -20,7 +20,6 @@ FORMS: tuple[Form, ...] = (
     ending,
     length,
     blueprint,
-    uncovered,
     own_lane,
     start_distance,
     abreast,
@@ -45,6 +44,3 @@ FORMS: tuple[Form, ...] = (
     sides,
     reaction,
 )
-
-ADDING: tuple[Form, ...] = (abreast, sign, acting, setting, road, standing)
-"""The forms that a demand for somebody new may have."""

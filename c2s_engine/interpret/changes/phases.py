@@ -115,15 +115,6 @@ def paused(phases: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
     return (*phases[: stops[0] + 1], wait, *phases[stops[0] + 1 :])
 
 
-def reacts_as_before(value: str, phases: Sequence[Phase], clause: str) -> bool:
-    """Whether how ego reacts goes on: that it does not is read of a clause that does not deny it, of one that goes on
-    against its light or sign, or of a stop of its own."""
-    if value != "none":
-        return value in ("brake", "yield") and bool(re.search(table()["paused"], clause))
-    passes = any(p.action in PASSING for p in phases)
-    return passes or not re.search(table()["denies"], clause)
-
-
 def without_awaited(changed: list[tuple[str, Any]]) -> list[tuple[str, Any]]:
     """The changes without a gap that is only the one for which somebody waits."""
     awaited_at = {p.trigger.value for path, value in changed if path == "phases" for p in value if p.trigger}

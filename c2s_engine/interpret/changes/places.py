@@ -10,9 +10,6 @@ from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import AddObject
 
-SIDED = frozenset(("parked", "roadside", "sidewalk", "partly_in_lane"))
-"""Places at a side of the road or lane."""
-
 
 def placed_before(was: Component, now: Component, there: Component, clause: str) -> dict[str, Any]:
     """Where it was: of one whose place the clause tells anew, where it really is, but for what is not told."""
@@ -22,16 +19,6 @@ def placed_before(was: Component, now: Component, there: Component, clause: str)
         return old
     real = spec_of(there).placement.model_dump()
     return real | {key: new[key] for key in ("gap", "hidden_by") if new[key] is None}
-
-
-def on_a_side(there: Component, clause: str) -> dict[str, Any]:
-    """What of a place stays where only the side is told of one who is at a side: "the parked cars are on the left"."""
-    place = spec_of(there).placement
-    side = re.search(table()["only_side"], clause)
-    if place.position not in SIDED or side is None:
-        return {}
-    kept = {"position": place.position, "along": place.along, "of": place.of, "gap": place.gap}
-    return {**kept, "side": side["side"]}
 
 
 def only_by_ego(told: str) -> bool:

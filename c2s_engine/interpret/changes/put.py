@@ -13,10 +13,7 @@ from c2s_engine.interpret.changes import notes, paced
 from c2s_engine.interpret.changes.chosen import in_role
 from c2s_engine.interpret.changes.counted import numbered
 from c2s_engine.interpret.changes.meant import called_by, described
-from c2s_engine.interpret.changes.pointed import pointed
 from c2s_engine.interpret.changes.refer import actions_of, objects_of, refer, spec_of
-from c2s_engine.interpret.changes.resumed import resumed
-from c2s_engine.interpret.changes.ways import own_way
 from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Structure
@@ -32,17 +29,14 @@ def _table() -> dict[str, Any]:
 
 def plainly(plain: str, structure: Structure) -> str:
     """A turn with each of its sentences put plainly."""
-    plain = _labelled(pointed(plain, structure), structure)
-    plain = re.sub(_table()["both_others"], lambda m: _both_others(m, structure), plain)
+    plain = _labelled(plain, structure)
     for find, new in _table()["before"]:
         plain = re.sub(find, new, plain)
-    plain = re.sub(_table()["pair"], lambda m: _pair(structure) or m[0], plain)
     plain = re.sub(_table()["member"], lambda m: _member(m, structure), plain)
     plain = re.sub(_table()["two"], lambda m: _two(m, structure), plain)
     plain = _named(re.sub(_table()["row"], _row(structure) or r"\g<0>", plain), structure)
     plain = re.sub(_table()["hidden_one"], lambda m: _hidden(m, structure), plain)
-    split = (own_way(s, structure) for s in re.split(r"(?<=[.;!?])\s+", plain))
-    sentences = [resumed(s, structure) for s in split]
+    sentences = re.split(r"(?<=[.;!?])\s+", plain)
     rows = [paced.sentence(), *((find, _with_doer(new, verb, structure)) for find, new, verb in _rows("sentences"))]
     return " ".join(
         notes.rewritten(_active(described(numbered(s, structure), structure)), rows, structure) for s in sentences
@@ -63,20 +57,6 @@ def _row(structure: Structure) -> str | None:
         return None
     parked = "parked " if groups[0].placement.position == "parked" else ""
     return f"the {parked}{language.plurals(groups[0].type.replace('_', ' '))[0]}"
-
-
-def _pair(structure: Structure) -> str | None:
-    """Both who are there by their nouns, where two are there."""
-    two = structure.objects if len(structure.objects) == 2 else ()
-    return " and ".join(called_by(c, structure) for c in two) or None
-
-
-def _both_others(match: re.Match[str], structure: Structure) -> str:
-    """The only two besides whom a demand is about, ego among them: whom he overtakes who "overtakes both"."""
-    subject = refer(match.string[: match.start("both")], structure, alone=False)
-    left = [c for c in (structure.ego, *structure.objects) if subject is not None and c.id != subject.id]
-    names = " and ".join("ego" if c.id == "E" else called_by(c, structure) for c in left)
-    return f"{match['does']}{names}{', then' if match['on'] else ''}"
 
 
 def _member(match: re.Match[str], structure: Structure) -> str:

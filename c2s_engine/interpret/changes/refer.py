@@ -45,8 +45,6 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
     match = re.search(r"\bo([1-9][0-9]?)\b", plain)
     if match and f"O{match[1]}" in structure:
         return structure[f"O{match[1]}"]
-    if (short := _alias(plain, structure)) is not None:
-        return short
     names = [s for s in scan.names(plain) if s.kind in ("actor", "ego", "label") and s.data.get("noun") != "traffic"]
     for component in structure.objects:
         name = spec_of(component).name.replace("_", " ")
@@ -82,23 +80,6 @@ def type_said(sentence: str) -> ObjectType:
     """The type of the first road user or thing that a sentence names; a car where it names none."""
     types = (s.data["type"] for s in scan.names(scan.normalised(sentence)) if s.kind == "actor")
     return next((t for t in types if t in get_args(ObjectType)), "car")
-
-
-def names_a_stranger(clause: str, structure: Structure) -> bool:
-    """Whether somebody is named who is not there."""
-    plain = scan.normalised(clause)
-    named = [s for s in scan.names(plain) if s.kind == "actor" and s.data["type"] not in ("vehicle", "rider")]
-    return any(refer(f"the {plain[s.start : s.end]}", structure, alone=False) is None for s in named)
-
-
-def _alias(plain: str, structure: Structure) -> Component | None:
-    """Whom a short name at the head of a phrase means: "police", "bike" of a motorcycle."""
-    for name, kind in language.table("refine")["aliases"].items():
-        if re.match(rf"(?:the )?{name}\b(?! (?:car|officer|van|man|lane))", plain):
-            found = [c for c in structure.objects if spec_of(c).type == kind]
-            own = [c for c in structure.objects if spec_of(c).type == "bicycle"] if kind == "motorcycle" else []
-            return found[0] if found and not own else None
-    return None
 
 
 def actions_of(component: Component) -> list[str]:

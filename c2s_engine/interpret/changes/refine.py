@@ -87,7 +87,7 @@ def _in_a_row(first: str, then: str, structure: Structure) -> str | None:
 def _found(demand: str, structure: Structure) -> Found | None:
     """What the first form that fits asks for; where somebody does that already, how fast he is to do it."""
     table = language.table("refine")["told"]
-    forms = order.ADDING if notes.adds(demand, structure) else order.FORMS
+    forms = order.FORMS
     for form in forms:
         found = form(demand, structure)
         if found is None:

@@ -5,7 +5,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.forms import Found, name_of, quantity_of, value_of, without_unit
-from c2s_engine.interpret.changes.refer import names_a_stranger, refer, spec_of
+from c2s_engine.interpret.changes.refer import refer, spec_of
 from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, SetField
@@ -108,7 +108,7 @@ def whose(clause: str, structure: Structure) -> list[Component]:
         return [structure.ego, vehicles[0]] if len(vehicles) == 1 else vehicles if len(vehicles) == 2 else []
     one = refer(clause, structure, alone=True)
     nobody = structure.objects and re.search(table["nobody"], clause)
-    unclear = nobody or names_a_stranger(clause, structure)
+    unclear = nobody
     if one is None and not unclear:
         one = structure.ego
     return [one] if one is not None else []

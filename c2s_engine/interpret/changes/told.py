@@ -18,11 +18,10 @@ from c2s_engine.interpret.changes.phases import (
     joined,
     mapped,
     paused,
-    reacts_as_before,
     settled,
     without_awaited,
 )
-from c2s_engine.interpret.changes.places import added_as, on_a_side, only_by_ego, placed_before
+from c2s_engine.interpret.changes.places import added_as, only_by_ego, placed_before
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
 from c2s_engine.interpret.reading import scan
@@ -284,15 +283,11 @@ def _changes(
             found.append((path, joined(there.spec.phases, phases, clause)))
         elif path == "placement":
             place = placed_before(was, now, there, clause)
-            if any(value[key] != place[key] for key in ("position", "side")):
-                value |= on_a_side(there, clause)
             found += [
                 (f"placement.{key}", ids.get(part, part) if key in ("of", "hidden_by") else part)
                 for key, part in value.items()
                 if part != place[key]
             ]
-        elif path == "reaction" and reacts_as_before(value, now.spec.phases, clause):  # type: ignore[union-attr]
-            continue
         elif value is not None:
             found.append((path, ids.get(value, value) if path == "react_to" else value))
     return found

@@ -5,7 +5,6 @@ import re
 from c2s_engine.interpret.composing import describe, objects, unmet
 from c2s_engine.interpret.composing.awaited import waited_for
 from c2s_engine.interpret.composing.drivers import compose_ego
-from c2s_engine.interpret.composing.headways import by_headway
 from c2s_engine.interpret.composing.objects import Draft
 from c2s_engine.interpret.composing.roads import compose_place
 from c2s_engine.interpret.composing.run_limits import restrictions
@@ -31,8 +30,6 @@ def compose(scene: Scene) -> Structure:
             event.trigger["id"] = ids[event.trigger["of"]]
     place = compose_place(scene)
     ego, ego_assumed = compose_ego(scene, ids, place)
-    if by_headway(scene, ego):
-        ego, ego_assumed = compose_ego(scene, ids, place)
     drafts: list[Draft] = [objects.compose_object(scene, entity, ids, place, ego) for entity in ordered]
     ego = waited_for(scene, ego, drafts, ids)
     ego = settle(scene, ego, place, drafts, ids)

@@ -6,7 +6,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.composing.changed_speeds import changed
 from c2s_engine.interpret.composing.pace import pace_of
 from c2s_engine.interpret.composing.phases import phases_of
-from c2s_engine.interpret.placing.spacing import spacing_of, without_spacing
+from c2s_engine.interpret.placing.spacing import without_spacing
 from c2s_engine.interpret.placing.start import place_object
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.who.mentions import Entity
@@ -39,8 +39,7 @@ def compose_object(scene: Scene, entity: Entity, ids: dict[Entity, str], place: 
             )
         )
     placement = place_object(scene, entity, ids, place, ego, assumed)
-    spacing = spacing_of(scene, entity)
-    placement = without_spacing(placement, spacing)
+    placement = without_spacing(placement, None)
     phases = phases_of(scene, entity, ids, placement, place)
     speed = pace_of(scene, entity, kind, phases, ego, placement, place, assumed, ids[entity])
     phases = changed(scene.events(entity), phases, speed)
@@ -48,7 +47,7 @@ def compose_object(scene: Scene, entity: Entity, ids: dict[Entity, str], place: 
         name=_name(entity, placement),
         type=kind,
         count=min(8, entity.count),
-        spacing=spacing,
+        spacing=None,
         placement=placement,
         speed=speed,
         phases=tuple(phases),  # type: ignore[arg-type]

@@ -104,7 +104,6 @@ def pace_of(
             r"\b(crawl|creep|trundle|slow(ly|er)|dawdle|grind|inch|nudge|plod|chug|roll (forward|ahead|into))\b", text
         )
         or any(p.action == "overtake" and p.target == own_id for p in ego.phases)
-        or _passed_by_another(scene, entity)
     ):
         factor = "slow"
     elif (
@@ -119,8 +118,6 @@ def pace_of(
         or "fast" in entity.roles
         or _hurries(scene, entity, kind, placement)
         or any(p.action == "overtake" for p in phases)
-        and not _passes_what_stands(scene, entity)
-        and not (placement.along == "ahead" and _passes_others(scene, entity))
         or placement.position == "behind"
         and placement.of == "ego"
         and any(p.action == "collide" for p in phases)
@@ -159,26 +156,3 @@ def _hurries(scene: Scene, entity: Entity, kind: str, placement: Placement) -> b
     if any(e.act == "follow" for e in scene.events(entity)):
         return False
     return any(e.agent is entity and FAST.search(e.whole) for e in scene.events(entity))
-
-
-def _passed(scene: Scene, entity: Entity) -> list[Entity | None]:
-    return [e.patient for e in scene.clauses.events if e.act == "overtake" and e.agent is entity and e.done]
-
-
-def _passes_what_stands(scene: Scene, entity: Entity) -> bool:
-    """Whether all whom it overtakes stand or are things: it need not be faster for that."""
-    passed = _passed(scene, entity)
-    return all(p is not None and (not p.mover) for p in passed)
-
-
-def _passes_others(scene: Scene, entity: Entity) -> bool:
-    """Whether it only overtakes others than ego."""
-    passed = _passed(scene, entity)
-    return bool(passed) and all(p is not None and not p.ego for p in passed)
-
-
-def _passed_by_another(scene: Scene, entity: Entity) -> bool:
-    """Whether another road user (not ego) overtakes this one, and not ego, too: it is slower."""
-    passing = [e for e in scene.clauses.events if e.act == "overtake" and e.done and not e.agent.ego]
-    past_ego = {e.agent for e in passing if e.patient is not None and e.patient.ego}
-    return any(e.patient is entity and e.agent not in past_ego for e in passing)

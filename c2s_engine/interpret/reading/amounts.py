@@ -145,21 +145,6 @@ def value_of(text: str) -> float:
     return float(text.replace(",", "."))
 
 
-def _intervals(text: str) -> list[Span]:
-    """Ranges in square brackets, as logical scenarios write them: "v in [90, 110] km/h"."""
-    found = []
-    for match in INTERVAL.finditer(text):
-        known = language.units().get(match["unit"])
-        if known is not None:
-            low, high = (float(match[g].replace(",", ".")) * known[1] for g in ("low", "high"))
-            data = {"dimension": known[0], "low": low, "high": high, "interval": True}
-            found.append(Span("quantity", match.start(), match.end(), data))
-    return found
-
-
-INTERVAL = re.compile(
-    r"\[\s*(?P<low>\d+(?:\.\d+)?)\s*(?:,|;|\.\.+|-|to)\s*(?P<high>\d+(?:\.\d+)?)\s*\]\s*(?P<unit>[a-z/%]+\d?)(?![\w/])"
-)
 ELAPSED = re.compile(  # what follows a second of time, not a second car
     r"\s*(?:[.,;:!?)'-]|$|(?:ahead|behind|away|before|after|later|from|apart|or|and|to|of|into|in|at|gap|headway|long|pause"
     r"|delay|earlier|sooner|passes|passed|ago|when|then|while|until)\b)"
@@ -171,23 +156,16 @@ EARLIER = re.compile(r"(?:(?<![\w.])\d+(?:\.\d+)?, ?)+$")
 def quantities(text: str) -> list[Span]:
     """Numbers with a unit, in SI, without those that only say the one before again: "72 km/h (45 mph)"."""
     found = [q for q in _measured(text) if q.data["dimension"] != "distance" or not SIZE.search(text[: q.start])]
-    return found[:1] + [q for before, q in zip(found, found[1:], strict=False) if not _again(text, before, q)]
+    return found[:1] + [q for before, q in zip(found, found[1:], strict=False)]
 
 
 SIZE = re.compile(r"\b(?:stature|height|width|body length|diameter|tall|wingspan)(?: of| is| =|:)? ?$")
 """What stands before how big somebody or something is."""
 
 
-def _again(text: str, first: Span, second: Span) -> bool:
-    """Whether a number in brackets is the one right before in another unit."""
-    same = first.data["dimension"] == second.data["dimension"]
-    bracket = re.fullmatch(r"\s*\(\s*(?:about |approximately |approx\.? )?", text[first.end : second.start])
-    return same and bracket is not None and text[second.end : second.end + 1] == ")"
-
-
 def _measured(text: str) -> list[Span]:
     """Numbers with a unit, in SI; a range has `low` and `high`."""
-    found = _intervals(text)
+    found = []
     for match in _quantity().finditer(text):
         dimension, factor = language.units()[" ".join(match["unit"].split())]
         if match["high"] and match["lowunit"]:

@@ -12,19 +12,6 @@ def _asks() -> re.Pattern[str]:
     return re.compile("|".join(f"(?:{p})" for p in language.table("ego")["askers"]))
 
 
-@cache
-def _sees() -> tuple[re.Pattern[str], re.Pattern[str]]:
-    told = language.table("ego")["bystanders"]
-    says, drives = (re.compile("|".join(f"(?:{p})" for p in told[key])) for key in ("says", "not"))
-    return says, drives
-
-
-def bystanding(plain: str) -> bool:
-    """Whether the text is told by somebody off the road, who drives nothing in it."""
-    says, drives = _sees()
-    return says.search(plain) is not None and drives.search(plain) is None
-
-
 def numbering(plain: str) -> bool:
     """Whether who tells it only numbers the vehicles of others: a police officer ("V1 ...; I checked the sign")."""
     told = language.table("ego")["numbered"]
@@ -33,25 +20,13 @@ def numbering(plain: str) -> bool:
 
 def told_by_others(plain: str) -> bool:
     """Whether nobody in the scene tells the whole text."""
-    return bystanding(plain) or numbering(plain)
+    return numbering(plain)
 
 
 def asked(plain: str) -> list[tuple[int, int]]:
     """The stretches of a text in which first and second persons are nobody on the road: somebody asks for it there, or
     tells of the work that it is for; the whole text where a bystander tells it."""
-    return [(0, len(plain))] if told_by_others(plain) else [m.span() for m in _asks().finditer(plain)] + quoted(plain)
-
-
-QUOTED = re.compile(r'"[^"]{2,400}"')
-FIRST = re.compile(r"\b(?:i|we|me|us|my|our|you|your)\b")
-
-
-def quoted(plain: str) -> list[tuple[int, int]]:
-    """What somebody is quoted to have said, in a text that tells of no first person itself: who says "I" there is who
-    is told of."""
-    outside = QUOTED.sub(" ", plain)
-    told = len(re.findall(r"\w+", outside)) >= 8 and FIRST.search(outside) is None
-    return [m.span() for m in QUOTED.finditer(plain)] if told else []
+    return [(0, len(plain))] if told_by_others(plain) else [m.span() for m in _asks().finditer(plain)]
 
 
 @cache

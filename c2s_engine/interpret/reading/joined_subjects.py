@@ -9,7 +9,6 @@ if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
 
 HIT = frozenset(("hit", "struck", "clipped", "rammed", "rear-ended", "killed", "injured", "overtaken"))
-SUBJECTS = ("nsubj", "nsubjpass", "aux", "auxpass", "expl")
 
 
 def own_subject(words: list[Word], verb: Word) -> None:

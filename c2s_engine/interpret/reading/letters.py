@@ -4,7 +4,6 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.reading.makes import models
 from c2s_engine.interpret.reading.motions import third_person, third_persons
 from c2s_engine.interpret.reading.people import people
 from c2s_engine.interpret.reading.scan import LABEL_NUMBERS, Span
@@ -55,7 +54,10 @@ def _acts(after: str) -> bool:
 
 def cased(text: str, plain: str) -> list[Span]:
     """Letters, people and models, which only a text's own case tells."""
-    return [*letters(text, plain), *people(text, plain), *models(text, plain)]
+    return [
+        *letters(text, plain),
+        *people(text, plain),
+    ]
 
 
 def letters(text: str, plain: str) -> list[Span]:

@@ -16,10 +16,6 @@ TOLD = frozenset(("latter", "former", "first", "second", "third", "last", "other
 
 def find_subject(words: list[Word], word: Word) -> None:
     """Give a verb the subject that the tree took for something else."""
-    joined = word.dep == "conj" and words[word.i - 1].norm == ","
-    if (word.dep == "advcl" or joined) and (before := _named_after_place(words, word)) is not None:
-        hang(words, before, word)
-        before.dep, word.dep = "nsubj", "conj"
     if (before := _subject_on_time(words, word)) is not None:
         if before.dep == "pobj" and words[before.head].norm in CONJUNCTIONS:
             mark = words[before.head]
@@ -30,24 +26,6 @@ def find_subject(words: list[Word], word: Word) -> None:
     _between_two(words, word)
     if word.verb:
         _listed(words, word)
-
-
-def _named_after_place(words: list[Word], word: Word) -> Word | None:
-    """The road user behind "and" that the tree has beside a place: "changed to lane two and V1 struck V3"."""
-    before = words[word.i - 1] if word.i > 1 else None
-    if before is not None and before.norm == ",":  # "and V1, which did not stop, struck it"
-        told = [w for w in words[: word.i - 2] if w.sentence == word.sentence and words[w.i + 1].norm == ","]
-        before = next((w for w in reversed(told) if w.dep == "conj" and words[w.i + 2].tag in ("WDT", "WP")), None)
-    if (
-        before is None
-        or before.dep != "conj"
-        or not road_user(before)
-        or words[before.i - 1].norm not in ("and", "but")
-    ):
-        return None
-    beside = words[before.head]
-    own = any(words[c].dep.startswith("nsubj") for c in word.children)
-    return before if word.tag in ("VBD", "VBZ") and not own and beside.noun else None
 
 
 def _subject_on_time(words: list[Word], verb: Word) -> Word | None:

@@ -30,11 +30,6 @@ def _patterns(section: str) -> list[tuple[re.Pattern[str], str]]:
     return [(re.compile(find, re.IGNORECASE), new) for find, new in language.table("notation")[section]]
 
 
-def left_out(text: str) -> list[Replacement]:
-    """What a scene is said not to need."""
-    return [(m.start(), m.end(), m.expand(new)) for find, new in _patterns("left_out") for m in find.finditer(text)]
-
-
 def signs(text: str) -> list[Replacement]:
     """Signs and abbreviations with the words that they stand for."""
     return [(m.start(), m.end(), m.expand(new)) for find, new in _patterns("signs") for m in find.finditer(text)]
@@ -69,20 +64,13 @@ def fields(text: str) -> list[Replacement]:
         elif sentence is not None:
             start = match.start() + len(match[0]) - len(match[0].lstrip(" \t-*•"))
             replaced.append((start, match.end(), f"{sentence[:1].upper()}{sentence[1:]}."))
-    return [*replaced, *_mentions(text, names, found)] if told else [r for r in replaced if r[2] == TITLE]
-
-
-def _mentions(text: str, names: dict[str, str], told: list[re.Match[str]]) -> list[Replacement]:
-    """Where the rest of the text goes on with a name that a field explained: "the challenger cuts in"."""
-    found: list[Replacement] = []
-    for name, noun in names.items():
-        again = re.finditer(rf"\b(?:the )?{re.escape(name)}\b(?!\s*[:=])", text, re.IGNORECASE)
-        found += [
-            (match.start(), match.end(), f"the {noun}")
-            for match in again
-            if not any(field.start() <= match.start() < field.end() for field in told)
+    return (
+        [
+            *replaced,
         ]
-    return found
+        if told
+        else [r for r in replaced if r[2] == TITLE]
+    )
 
 
 def _sentence(key: str, value: str, names: dict[str, str]) -> str | None:
@@ -118,7 +106,7 @@ def _sentence(key: str, value: str, names: dict[str, str]) -> str | None:
             return value
         if not VERBAL.match(value):
             return f"{subject}: {value}"
-    return str(entry["say"]).format(who=_the(subject), value=said, other=other)
+    return str(entry["say"]).format(who=subject, value=said, other=other)
 
 
 def _named(text: str, names: dict[str, str]) -> str:
@@ -144,7 +132,3 @@ def _split(key: str, data: dict[str, Any]) -> tuple[str | None, str]:
 
 def _noun(value: str) -> str:
     return re.sub(r"^(?:an?|the|one)\s+", "", value.strip(), flags=re.IGNORECASE)
-
-
-def _the(name: str) -> str:
-    return name if name in ("ego", "it") else f"the {name}"

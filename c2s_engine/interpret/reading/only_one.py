@@ -22,10 +22,4 @@ def only_one(text: str) -> list[Replacement]:
     for match in NUMBERED.finditer(text):
         found[match["noun"].lower()].append(match)
     alone = [m for all_ in found.values() if len({m["number"] for m in all_}) == 1 for m in all_]
-    return [(m.start(), m.end(), _noun(text, m)) for m in alone]
-
-
-def _noun(text: str, match: re.Match[str]) -> str:
-    """The noun alone at the head of a line or behind a determiner, else with an article."""
-    bare = text[match.end() : match.end() + 2].lstrip().startswith(":")
-    return match["noun"] if bare else f"the {match['noun']}"
+    return [(m.start(), m.end(), text) for m in alone]

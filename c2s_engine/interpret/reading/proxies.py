@@ -40,7 +40,6 @@ TO_SOMEBODY = regex.compile(r"\s+(?:us|me|him|her|it|them)\s+\p{L}")
 """A pronoun as the object of a participle."""
 NOUN_BEFORE = regex.compile(r"\b(?:the|a|an|this|that|his|its|each)\s+(?:[\w-]+\s+){0,2}$")
 ON_THE = regex.compile(r"\b(?:on|to|from|at|in|of)\s+(?:the|its|our|his|her|my|ego's)\s+$")
-OWN_SIDE = regex.compile(r"\b(?:on|to|from|at)\s+(?:our|its|my|his|her|their)\s+$")
 VERBAL_LEFT = regex.compile(r"left\s+(?:the|its|his|their|a|that|this)\s+(?!side|lane of)")
 
 
@@ -73,13 +72,6 @@ LIT = regex.compile(
 CRASHES = regex.compile(r"\s+(?:\w+ )?(?:collision|crash|impact|accident|encounter)")
 BRAND = regex.compile(r"\b(?:an?|the|another)\s+[a-z][\w.-]+\s+$")
 """Before a name of ego that goes with that of its maker: "a Lumeno AV"."""
-TOLD = frozenset(("first", "second", "third", "fourth", "last", "other", "latter", "former"))
-
-
-ALONE = frozenset(("one", "other", "another"))
-
-
-OPENS = regex.compile(r"(?:^|[.,;:!?(]|\b(?:and|but|while|when|then|as|of them))\s*$")
 
 
 MODAL = regex.compile(
@@ -98,15 +90,6 @@ STRUCK = frozenset(("rear-ended", "t-boned", "side-swiped", "sideswiped", "broad
 LETS = regex.compile(r"\b(?:let|lets|letting|make|makes|making|made|help|helps|watch|watches|sees)\s+(?:\S+\s+){1,4}$")
 
 
-def _finite(word: str) -> bool:
-    """Whether a word can only be what someone does or is ("brakes", "pulled", "has")."""
-    listed = language.word_list("motion") | language.word_list("base")
-    endings = (word[: -len(e)] for e in ("s", "es", "d", "ed") if word.endswith(e))
-    return word in ("is", "was", "has", "had", "does", "must", "will", "stays", "remains", "keeps") or (
-        word in language.word_list("noun_like") and word.endswith("s") or any(stem in listed for stem in endings)
-    )
-
-
 def _several(span: Span | None) -> bool:
     """Whether several road users stand before: after them a base form is a verb ("two cars race past ego")."""
     return span is not None and bool(span.data.get("plural"))
@@ -123,12 +106,8 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
     if text == "bend" and NOUN_BEFORE.search(plain[max(0, start - 24) : start]):
         return "curve"
     verb = regex.match(r"\s+(?:then |suddenly )?(\p{L}+)", plain[start + len(text) : start + 40])
-    if text in TOLD and verb and _finite(verb[1]) and regex.search(r"\bthe\s+$", plain[max(0, start - 5) : start]):
-        return "man"
     if text == "both" and verb and verb[1] in language.word_list("motion") | language.word_list("base"):
         return "they"
-    if text in ALONE and verb and _finite(verb[1]) and OPENS.search(plain[max(0, start - 12) : start]):
-        return "he"
     lets = before is not None and text in language.word_list("motion") | language.word_list("base")
     if lets and LETS.search(plain[max(0, start - 48) : start]):
         return "go"
@@ -154,8 +133,6 @@ def _word(text: str, before: Span | None, plain: str, start: int) -> str:
         return FORCES[text]
     if text == "on" and LIT.search(plain[max(0, start - 40) : start]):
         return "off"  # "with its lights on turns" is no "on turns"
-    if text in ("left", "right") and OWN_SIDE.search(plain, max(0, start - 12), start) and verb and _finite(verb[1]):
-        return "side"  # "the van to our left brakes"
     placed = ON_THE.search(plain[max(0, start - 12) : start]) is not None
     if text == "left" and (placed or not VERBAL_LEFT.match(plain[start : start + 24])):
         return "right"

@@ -8,7 +8,7 @@ from functools import cache
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.askers import asked
 from c2s_engine.interpret.reading.makes import MAKE, ridden, stands_for_a_vehicle
-from c2s_engine.interpret.reading.parties import other_party, short_labels, some_driver
+from c2s_engine.interpret.reading.parties import short_labels
 from c2s_engine.interpret.spans import Span
 
 __all__ = ["Span"]
@@ -112,9 +112,8 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
                 {"label": f"{word} {number}" if typed else LABEL_NUMBERS.get(number, number.lstrip("0")), "word": word},
             )
         )
-    found = [s for s in found if s.kind != "ego" or not other_party(text, s)]
     found += short_labels(text)
-    found += _numbered(text, found) + some_driver(text, found)
+    found += _numbered(text, found)
     taken = [(s.start, s.end) for s in found]
     tables = language.table("actors")
     queues = tables["queues"]
@@ -129,7 +128,7 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
             and text[max(0, start - 12) : start].strip().split(" ")[-1] in tables["leads"]
         ):
             continue
-        if noun in tables["with_animals"] and not _of_an_animal(text, start, end):
+        if noun in tables["with_animals"]:
             continue
         if noun == "pick up" and text[max(0, start - 3) : start] == "to ":
             continue
@@ -174,8 +173,6 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
                 },
             )
         )
-    found += [] if not lettered else []
-    found += _shortened(text, found)
     found.sort(key=lambda s: (s.start, -s.end))
     kept: list[Span] = []
     for span in found:
@@ -183,13 +180,6 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
             continue
         kept.append(span)
     return kept
-
-
-def _of_an_animal(text: str, start: int, end: int) -> bool:
-    """Whether an owner is that of an animal of the text."""
-    owns = re.match(r" (?:of|operator)\b", text[end : end + 10])
-    known = language.actor_nouns()
-    return not owns and any(known.get(word, ("",))[0] == "animal" for word in re.findall(r"[a-z]+", text))
 
 
 def _several(text: str, start: int, end: int) -> bool:
@@ -240,23 +230,6 @@ _BUS_STOP = re.compile(
     r"\s+(?:lane|shelter|station|bay)\b|\s+stop(?=\s*(?:[,.;)]|$|on\b|at\b|in\b|and\b|to\b"
     r"|where\b|with\b|is\b|ahead\b|when\b|while\b|as\b|but\b|near\b|outside\b|opposite\b|behind\b|before\b|from\b|was\b|sign\b))"
 )
-
-
-def _shortened(text: str, found: list[Span]) -> list[Span]:
-    """The last word of a longer name, where the text goes on with it: "a snow plough ... the plough stops"."""
-    never = (
-        set(language.table("actors")["never"]) | set(language.table("actors")["parts"]) | set(language.actor_nouns())
-    )
-    spans = []
-    for span in [s for s in found if s.kind == "actor" and " " in s.data.get("noun", "")]:
-        last = span.data["noun"].split()[-1]
-        if last in never or len(last) < 4:
-            continue
-        for match in re.finditer(rf"\bthe (?P<noun>{re.escape(last)})\b", text[span.end :]):
-            start, end = span.end + match.start("noun"), span.end + match.end("noun")
-            if not any(s.start < end and start < s.end for s in [*found, *spans]):
-                spans.append(Span("actor", start, end, {**span.data, "noun": last, "roles": [], "words": []}))
-    return spans
 
 
 def _noun(noun: str) -> tuple[str, bool, bool]:

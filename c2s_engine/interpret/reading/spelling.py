@@ -4,21 +4,7 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.reading import (
-    abbreviated,
-    bare_sides,
-    cast_as_ego,
-    each_apart,
-    grids,
-    inverted,
-    keyed,
-    notation,
-    only_one,
-    rephrased,
-    structured,
-    telegraphic,
-    testimony,
-)
+from c2s_engine.interpret.reading import each_apart, notation, only_one, rephrased, telegraphic
 from c2s_engine.interpret.reading.motions import irregular
 from c2s_engine.interpret.reading.rewritten import Replacement, Rewritten
 
@@ -32,25 +18,13 @@ class Mended:
     def __init__(self, text: str, *, scene: bool = True) -> None:
         self.original = text
         self._passes: list[Rewritten] = []
-        unneeded = (notation.left_out,) if scene else ()
-        cast = (cast_as_ego.cast_as_ego,) if scene else ()
-        notes = (bare_sides.bare_sides,) if scene else ()
         for replacements in (
-            structured.structured,
             only_one.only_one,
-            grids.grids,
-            testimony.testimony,
-            keyed.keyed,
-            abbreviated.abbreviated,
             notation.fields,
-            *unneeded,
             notation.signs,
-            *cast,
             _repairs,
-            inverted.inverted,
             rephrased.rephrased,
             each_apart.each_apart,
-            *notes,
             telegraphic.spelt_out,
         ):
             self._passes.append(Rewritten(text, replacements(text)))

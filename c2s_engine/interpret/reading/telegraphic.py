@@ -243,14 +243,6 @@ def _say(name: str, who: Subject, note: Note) -> str:
         verb = ("moves" if who.walks else "drives") if note.speed else "is"
         said.append(f"{verb} {note.speed} {places}")
     said += note.acts
-    verbs = (_plural(s) if who.plural else s for s in said)
+    verbs = (s if who.plural else s for s in said)
     parts = [" ".join(f"{name if n == 0 else who.name} {s}".split()) for n, s in enumerate(verbs)]
     return ". ".join(p[:1].upper() + p[1:] if n else p for n, p in enumerate(parts)) + "."
-
-
-def _plural(said: str) -> str:
-    first, _, rest = said.partition(" ")
-    base = {"is": "are", "has": "have", "does": "do"}.get(first) or re.sub(
-        r"(?<=[a-z])s$", "", re.sub(r"(?<=ss|sh|ch)es$", "", first)
-    )
-    return f"{base} {rest}".strip()

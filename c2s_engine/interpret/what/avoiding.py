@@ -54,7 +54,7 @@ def abandoned(cast: Cast, clauses: Clauses) -> None:
         begun = begun or event.mode == "purpose" or at.tag == "VB" and out is not None and out.act == "lane_change"
         later = [w for w in words if w.i > event.word and w.sentence - at.sentence <= 1]
         given_up = GIVES_UP.search(" ".join(w.norm for w in later))
-        if not begun or given_up is None or _comes_home(later, given_up):
+        if not begun or given_up is None:
             continue
         word = _word_at(later, given_up.start())
         others = [e for e in clauses.events if event.word < e.word < word and e.agent is not event.agent]
@@ -76,21 +76,6 @@ def abandoned(cast: Cast, clauses: Clauses) -> None:
         else:
             for other in back:
                 other.act = "lane_change" if other.act == "reverse" else other.act
-
-
-COMES_HOME = re.compile(r"(?:go|goes|went|mov\w+|pull\w*|steer\w*|swing\w*|come|comes|came|slip\w*|return\w*)\b")
-THEN = re.compile(
-    r"\b(?:then|afterwards?|after|later|finally|subsequently|once|and)\b(?: (?:it|he|she|that|ego|i|we|,))*[ ,]*$"
-)
-BUT = re.compile(r"\b(?:but|however|because|as|when|since|due|instead|immediately|quickly|yet|though|again|before)\b")
-
-
-def _comes_home(later: list[Word], back: re.Match[str]) -> bool:
-    """Whether a way back only ends what was begun: "... to overtake a truck. Then it moves back into its lane"."""
-    told = back.string
-    end = next((m.start() for m in re.finditer(r" [.;]", told) if m.start() > back.start()), len(told))
-    ends = COMES_HOME.match(back[0]) and "lane" in told[back.start() : end]
-    return bool(ends and THEN.search(told[: back.start()]) and not BUT.search(told[:end]))
 
 
 def _word_at(words: list[Word], offset: int) -> int:

@@ -4,7 +4,6 @@ import re
 
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.who.mentions import Entity
 
@@ -40,15 +39,8 @@ def _heading(text: str) -> int | None:
     return None
 
 
-def _named_so(clauses: Clauses, word: Word) -> bool:
-    """Whether it is part of a name: "North Oak Street"."""
-    after = clauses.words[word.i + 1].text if word.i + 1 < len(clauses.words) else ""
-    capital = word.text[:1].isupper() and not word.text.isupper() and word.i > 0
-    return capital and word.norm in COMPASS and after[:1].isupper()
-
-
 def _told(clauses: Clauses, words: list[Word]) -> str:
-    return " ".join("name" if _named_so(clauses, w) else w.lemma if w.verb else w.norm for w in words)
+    return " ".join(w.lemma if w.verb else w.norm for w in words)
 
 
 def _another(clauses: Clauses, word: Word, who: Entity) -> bool:
@@ -101,10 +93,6 @@ def heading(clauses: Clauses, who: Entity) -> int | None:
         return found
     for event in clauses.events:
         if event.agent is who or who in event.also:
-            if (street := _off_street(clauses, event)) is not None:
-                return street
-            if (lane := _of_that_lane(clauses, event)) is not None:
-                return lane
             own = [clauses.words[i] for i in sorted(event.words)]
             found = _heading(_told(clauses, own) if own else event.whole)
             if found is not None:
@@ -129,34 +117,6 @@ def sides_by_compass(clauses: Clauses) -> None:
         if edge and own is not None:
             turned = (COMPASS[edge["way"] or edge["to"]] - own) % 360
             event.side = {90: "right", 270: "left"}.get(turned)
-
-
-THAT_LANE = re.compile(r"\bin (?:that|this|the same|the said) (?:very )?(?:\w+ )?lane\b")
-LANE_THERE = re.compile(r"\b(?P<way>north|south|east|west)bound (?:\w+ ){0,2}lane\b")
-
-
-def _of_that_lane(clauses: Clauses, event: Event) -> int | None:
-    """Which way the lane leads that was spoken of: "he could not see the westbound lane. V2 was in that lane"."""
-    if not THAT_LANE.search(event.whole):
-        return None
-    named = list(LANE_THERE.finditer(_told(clauses, clauses.words[: event.word])))
-    return COMPASS[named[-1]["way"]] if named else None
-
-
-STREET = re.compile(
-    r"\b(?:from|out of|off|leave|exit|on) (?:\w+ ){1,4}(?:street|road|drive|lane|avenue|driveway|track|way)\b(?: ,)? "
-    r"(?:which|that) (?:meet|join|enter|intersect|come|run|lead|feed)\w*\b[^.;]*?\bfrom (?:the )?"
-    r"(?P<way>north|south|east|west)\b"
-)
-"""A side street of which it is told from which side it meets the road."""
-
-
-def _off_street(clauses: Clauses, event: Event) -> int | None:
-    """Which way one drives who comes out of such a street."""
-    sentence = clauses.words[event.word].sentence
-    rest = [w for w in clauses.words[event.word :] if w.sentence == sentence]
-    match = STREET.search(_told(clauses, rest)) if event.act in ("travel", "approach", "enter_road", "turn") else None
-    return (COMPASS[match["way"]] + 180) % 360 if match else None
 
 
 LANES_OF = re.compile(

@@ -5,16 +5,11 @@ from __future__ import annotations
 
 import re
 
-from c2s_engine.interpret import language
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.towards import side
-from c2s_engine.interpret.who.mentions import Cast, Entity
+from c2s_engine.interpret.who.mentions import Cast
 
 RUNS = {"heed_red": "run_red", "heed_stop": "run_stop"}
-HINDERS = language.words("hinders")
-BESIDE = re.compile(r"\b(?:next to|beside|alongside|level with|abreast|blind spot)\b")
-"""Where one is for whom there is no room, not one who is given way to."""
 JUNCTION = frozenset(("turn", "u_turn", "go_straight", "cross_path"))
 
 
@@ -35,36 +30,7 @@ def hindered(cast: Cast, clauses: Clauses) -> None:
     for event in list(clauses.events):
         if event.act not in (*JUNCTION, "overtake") or not event.agent.ego or event.mode != "negated":
             continue
-        verb = _hindering(cast, clauses, event)
-        if verb is None:
-            continue
-        sentence = " ".join(w.norm for w in cast.words if w.sentence == cast.words[event.word].sentence)
-        if event.act == "overtake" or BESIDE.search(sentence):
-            event.mode = "hypothetical"
-            continue
-        event.mode = "intended"
-        who = _who(cast, event, verb)
-        if who is not None:
-            told = {"patient": who, "order": event.order - 0.1, "words": [event.word]}
-            clauses.events.append(Event.echo(event, act="yield", **told))
-            event.patient = None
-
-
-def _hindering(cast: Cast, clauses: Clauses, event: Event) -> int | None:
-    """The verb or adjective that says that ego cannot: "prevents it from", "is unable to", "cannot"."""
-    word = cast.words[event.word]
-    if any(cast.words[c].norm in ("cannot", "can", "could", "ca") for c in word.children):
-        return event.word
-    above = cast.words[word.head]
-    above = cast.words[above.head] if word.dep == "pcomp" else above
-    return above.i if clauses._lemma(above) in HINDERS else None
-
-
-def _who(cast: Cast, event: Event, verb: int) -> Entity | None:
-    """Who is in the way: whom the clause names, else the nearest other of the sentence."""
-    sentence = cast.words[verb].sentence
-    near = [i for i in cast.of if cast.words[i].sentence == sentence and cast.of[i].mover and not cast.of[i].ego]
-    return cast.of[min(near, key=lambda i: abs(i - verb))] if near else None
+        continue
 
 
 BACK = re.compile(

@@ -10,7 +10,6 @@ from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
 STANDS = frozenset(("stationary", "stop", "brake_stop", "yield"))
-WAITED = frozenset(("turn", "u_turn", "go_straight", "cross_path", "lane_change", "overtake", "enter_road", "cut_in"))
 IDLE = STANDS | {"travel", "collide", "brake", "approach", "follow", "keep_lane"}
 OFF_ROAD = re.compile(
     r"\b(?:from|out of|exit|leave) (?:the |an? |its |his |her |their )(?:[\w-]+ ){0,2}"
@@ -26,10 +25,6 @@ def left_untold(cast: Cast, clauses: Clauses) -> None:
     for event in list(clauses.events):
         if event.act == "turn" and event.done and not event.agent.ego and OFF_ROAD.search(event.text):
             event.act = "enter_road"
-        elif event.act == "evade" and event.mode == "negated" and _not_avoided(clauses, event):
-            event.act, event.mode = "collide", "fact"
-        elif _never_done(clauses, event) or _told_with_party(clauses, event):
-            event.mode = "hypothetical"
 
 
 def _stand_before(cast: Cast, clauses: Clauses) -> None:
@@ -45,24 +40,6 @@ def _stand_before(cast: Cast, clauses: Clauses) -> None:
         acts = any(other in (e.agent, *e.also) and e.done for e in clauses.events)
         if not acts and (behind or event.act == "collide" and stands):
             other.roles.add("stationary")
-
-
-def _never_done(clauses: Clauses, event: Event) -> bool:
-    """Whether one is struck that only waits to do it."""
-    return event.act in WAITED and event.mode in ("intended", "purpose") and struck_standing(clauses, event)
-
-
-def _not_avoided(clauses: Clauses, event: Event) -> bool:
-    """Whether one could not avoid another, and no blow (nor that there was none) is told."""
-    return event.patient is not None and not any(e.act == "collide" for e in clauses.events)
-
-
-def _told_with_party(clauses: Clauses, event: Event) -> bool:
-    """Whether the blow that one could not prevent is told with the other party, too."""
-    if event.act != "collide" or event.patient is not None or not event.done:
-        return False
-    others = (e for e in clauses.events if e.act == "collide" and e is not event and e.done and e.patient is not None)
-    return not event.also and event.agent.count == 1 and any(event.agent in (e.agent, e.patient) for e in others)
 
 
 def struck_standing(clauses: Clauses, event: Event | None = None) -> bool:

@@ -2,7 +2,6 @@
 
 import re
 
-from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.surroundings.place import Road
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
@@ -56,21 +55,6 @@ def headings(cast: Cast, clauses: Clauses) -> None:
         title = number == 0 and number not in cast.told and number not in told and bool(told)
         if title and event.agent.ego and event.act == "lane_change" and "merg" in cast.words[event.word].norm:
             event.mode = "hypothetical"
-        if event.agent.ego and number == 0 and _retold(cast, clauses, event):
-            event.mode = "hypothetical"
-
-
-def _retold(cast: Cast, clauses: Clauses, event: Event) -> bool:
-    """Whether a heading names what the text then tells of another: "Backing category: ... the truck backs up"."""
-    opening = [w for w in cast.words if w.sentence == 0]
-    colon = next((w.i for w in opening if w.norm == ":"), opening[-1].i)
-    head = [w for w in opening if w.i <= colon]
-    if event.word > colon or any(w.tag in ("VBZ", "VBD", "VBP", "MD") for w in head):
-        return False
-    if any(cast.of.get(w.i) is cast.ego for w in head):
-        return False
-    later = [e for e in clauses.events if e.word > colon and e.done and e.act == event.act]
-    return bool(later) and (event.patient is not None or not any(e.agent.ego for e in later))
 
 
 OTHER_LANE = re.compile(
@@ -123,31 +107,6 @@ def by_the_other_lane(clauses: Clauses, road: Road) -> None:
         return
 
 
-MEETS = re.compile(
-    r"\b(?:other|opposite) (?:way|direction)|oncom|towards|head-on|from (?:the |its )?(?:left|right)\b"
-    r"|\bbe (?:still |already )?com(?:e|ing)$"
-)
-
-
-def let_past(clauses: Clauses, event: Event, road: Road) -> bool:
-    """Whether one only goes past because ego waits for it ("let him go past", "until it has gone by"): it need not come
-    from behind."""
-    who = event.agent
-    if who.ego or clauses._lemma(clauses.words[event.word]) == "overtake":
-        return False
-    own = [e for e in clauses.events if e.agent is who and e.done]
-    across = road.kind in ("intersection", "roundabout") or any(e.agent.ego and e.act == "turn" for e in clauses.events)
-    meets = "oncoming" in who.roles or any(e.act == "oncoming" or MEETS.search(e.whole.strip(" .,;")) for e in own)
-    waited = any(
-        e.act == "yield" and e.agent.ego and e.patient is who and e.done and abs(e.word - event.word) <= 4
-        for e in clauses.events
-    )
-    behind = who.type in URGENT or any(re.search(r"\bbehind\b|\brear\b|faster", e.whole) for e in own)
-    behind = behind or any(e.act == "follow" and e.patient is not None and e.patient.ego for e in own)
-    until = event.adverbial in ("until", "till") and (across or meets)
-    return waited and (across or meets or not behind) or until or event.adverbial in ("once", "after", "when") and meets
-
-
 def across_the_bows(clauses: Clauses) -> None:
     """Who has gone past another and then cuts across in front of it cuts in: "came past me and cut across my front"."""
     for event in clauses.events:
@@ -156,28 +115,3 @@ def across_the_bows(clauses: Clauses) -> None:
         own = (e for e in clauses.events if e.agent is event.agent and e.done and e.order < event.order)
         if any(e.act == "overtake" and e.patient in (event.patient, None) for e in own):
             event.act = "cut_in"
-
-
-def out_to_pass(clauses: Clauses) -> None:
-    """Who goes out to overtake and runs into somebody who comes towards it was in the other lane."""
-    for hit in clauses.events:
-        if hit.act != "collide" or not hit.done or hit.patient is None or not _comes_towards(clauses, hit):
-            continue
-        own = [e for e in clauses.events if e.agent is hit.agent and e.order < hit.order]
-        if any(e.act == "oncoming" for e in own) or not any(e.act == "overtake" for e in own):
-            continue
-        outs = [e for e in own if e.act == "lane_change" and e.done]
-        for event in outs[:1]:
-            event.act, event.side = "oncoming", "left"
-        if not outs:
-            passing = next(e for e in own if e.act == "overtake")
-            passing.mode = "hypothetical"
-            clauses.events.append(Event.echo(passing, act="oncoming", order=passing.order - 0.1, side="left"))
-
-
-def _comes_towards(clauses: Clauses, hit: Event) -> bool:
-    """Whether who is hit was told to come the other way."""
-    assert hit.patient is not None
-    own = (e for e in clauses.events if e.agent is hit.patient)
-    told = MEETS.search(hit.text) or any(MEETS.search(e.whole) for e in own)
-    return bool(told) or "oncoming" in hit.patient.roles

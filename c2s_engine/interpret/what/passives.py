@@ -6,7 +6,6 @@ import re
 
 from c2s_engine.interpret.entities import Entity, Mention
 from c2s_engine.interpret.what.clauses import BY, Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
 FROM_BEHIND = re.compile(r"\bfrom (?:behind|the rear)\b|\brear-?end|\bin the (?:rear|back)\b")
@@ -26,7 +25,7 @@ def unnamed_doers(cast: Cast, clauses: Clauses) -> None:
         suffers = event.agent
         if event.act == "approach" and (suffers.ego or not suffers.mover):
             continue
-        doer = _last(cast, clauses, event) if suffers.ego else cast.ego
+        doer = None if suffers.ego else cast.ego
         if event.patient is not None and event.patient is not suffers and not event.patient.ego:
             continue
         if event.act == "cut_in" and doer is cast.ego and any(e.act == "turn" and e.agent.ego for e in clauses.events):
@@ -37,13 +36,3 @@ def unnamed_doers(cast: Cast, clauses: Clauses) -> None:
             doer.mentions.append(Mention(word.i, word.start, word.end, kind="unnamed"))
         if doer is not None:
             event.agent, event.patient = doer, suffers
-
-
-def _last(cast: Cast, clauses: Clauses, event: Event) -> Entity | None:
-    """The one that does something to ego near a passive: spoken of before it, else right after it."""
-    number = cast.words[event.word].sentence
-    movers = [i for i in sorted(cast.of) if cast.of[i].mover and not cast.of[i].ego and cast.of[i] in cast.entities]
-    before = [i for i in movers if i < event.word and cast.words[i].sentence >= number - 1]
-    after = [i for i in movers if i > event.word and cast.words[i].sentence <= number + 1]
-    near = before[-1:] or after[:1]
-    return cast.of[near[0]] if near else None

@@ -2,9 +2,7 @@
 
 import re
 
-from c2s_engine.interpret import language
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.who.mentions import Cast
 
@@ -35,7 +33,6 @@ def goes_first(clauses: Clauses) -> None:
 
 
 GOES_FIRST = re.compile(r"(?:go|set off|move off|move|drive off|proceed|pull off|pull away)\b[^.;,]*?\bfirst\b")
-MEANS_TO = language.words("means_to")
 GOES = frozenset(("start", "go_straight", "cross_path", "cut_in", "cut_out", "enter_road"))
 STRAIGHT = re.compile(
     r"\bstraight (?:on|ahead|through|over)\b|\binstead\b|\b(?:left|right)\b|\bu-turn\b|\boff (?:the )?(?:road|lane)\b"
@@ -49,7 +46,7 @@ LATER = 60
 def waited_turns(clauses: Clauses) -> None:
     """Who waits to turn and then just goes, turns: "was waiting to turn left. It set off across my lane"."""
     for meant in [e for e in clauses.events if e.act == "turn" and side(e) is not None]:
-        if meant.mode == "hypothetical" and not _means_to(clauses, meant) or meant.mode not in NOT_YET:
+        if meant.mode == "hypothetical" or meant.mode not in NOT_YET:
             continue
         later = [e for e in clauses.events if e.agent is meant.agent and e.order > meant.order and e.mode == "fact"]
         later = [e for e in later if e.word - meant.word < LATER]
@@ -57,9 +54,3 @@ def waited_turns(clauses: Clauses) -> None:
         if goes is None or STRAIGHT.search(goes.text) or any(e.act in ("turn", "u_turn") for e in later):
             continue
         goes.act, goes.side, goes.patient, meant.mode = "turn", side(meant), None, "hypothetical"
-
-
-def _means_to(clauses: Clauses, meant: Event) -> bool:
-    """Whether a turn hangs on a verb that says that it is still to come: "waiting to turn left"."""
-    word = clauses.words[meant.word]
-    return clauses._lemma(clauses.words[word.head]) in MEANS_TO

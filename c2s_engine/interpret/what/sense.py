@@ -4,7 +4,7 @@ import re
 
 from c2s_engine.interpret.surroundings.place import Road
 from c2s_engine.interpret.what.avoiding import abandoned, avoided, by_means
-from c2s_engine.interpret.what.backstory import before_the_story, was_over
+from c2s_engine.interpret.what.backstory import was_over
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.echoes import echoes
 from c2s_engine.interpret.what.event import Event
@@ -13,7 +13,7 @@ from c2s_engine.interpret.what.heeded import hindered, merged_back, unheeded
 from c2s_engine.interpret.what.looking_back import looking_back, tried_to_avoid
 from c2s_engine.interpret.what.making_room import makes_room
 from c2s_engine.interpret.what.overtakings import PART, overtakings
-from c2s_engine.interpret.what.passing import by_the_other_lane, headings, let_past, out_to_pass, passed
+from c2s_engine.interpret.what.passing import by_the_other_lane, headings, passed
 from c2s_engine.interpret.what.resumed import goes_first, own_turns, waited_turns
 from c2s_engine.interpret.what.there_and_back import there_and_back
 from c2s_engine.interpret.what.towards import side
@@ -27,21 +27,7 @@ LEAVES = re.compile(
 
 FROM_MINOR = re.compile(r"(?:pull|come|edge|nose|creep|inch|roll|shoot) (?:straight |right |slowly )?out\b(?! of)")
 JERKS = ("swerve", "veer", "jink")
-SIDE_ROAD = re.compile(r"\b(?:(?:side|minor) (?:road|street)|driveway|junction|intersection|t-junction)\b")
-FIRST = re.compile(r"(?:pass|go|drive|proceed|cross|move|turn|enter|get|come|travel|clear)\b[^.;]*?\bfirst\b")
 AHEAD_OF_EGO = re.compile(r"\b(?:ahead|in front) of (?:the )?@ego\b")
-
-
-def _at_junction(event: Event, clauses: Clauses, road: Road) -> bool:
-    """Whether who goes first there goes over a junction before ego."""
-    turns = any(e.act == "turn" and e.agent.ego for e in clauses.events)
-    return turns or road.kind in ("intersection", "roundabout")
-
-
-def _from_minor(event: Event, road: Road) -> bool:
-    """Whether one pulls out of a side road, or at a sign that has it wait."""
-    minor = road.stop_sign or road.yield_sign or SIDE_ROAD.search(event.whole) is not None
-    return minor and FROM_MINOR.match(event.text) is not None
 
 
 def _at_a_light(told: str) -> bool:
@@ -55,7 +41,6 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     unheeded(clauses)
     hindered(cast, clauses)
     merged_back(clauses)
-    before_the_story(cast, clauses)
     looking_back(cast, clauses)
     tried_to_avoid(cast, clauses)
     set_out(clauses)
@@ -117,14 +102,10 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 else "overtake"
             )
         if (
-            (
-                event.act == "overtake"
-                and event.patient is None
-                and road.kind == "intersection"
-                and event.text.startswith("pass")
-            )
-            or event.act == "overtake"
-            and let_past(clauses, event, road)
+            event.act == "overtake"
+            and event.patient is None
+            and road.kind == "intersection"
+            and event.text.startswith("pass")
         ):
             event.act = "travel"
         minor = event.act == "cut_in" or event.act == "lane_change" and not event.agent.ego
@@ -137,9 +118,6 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
         ):
             out = "go_straight" if event.agent.ego else "cross_path"
             event.act = out if "lane" not in event.whole and (not event.agent.ego or road.stop_sign) else event.act
-        leaves_sign = event.agent.ego and _from_minor(event, road)
-        if leaves_sign and event.act in ("lane_change", "cut_in", "travel") and "lane" not in event.whole:
-            event.act = "go_straight"
         passes = event.act in ("overtake", "travel", "go_straight", "cross_path", "move_along", "cross_road")
         if passes and not event.agent.ego and event.agent.mover and event.mode == "fact":
             word = cast.words[event.word]
@@ -157,8 +135,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 r"pass|clear|gone|go(es)? (by|past)|cross|through",
                 event.text + " " + word.norm + " " + " ".join(w.norm for w in cast.words[event.word : event.word + 4]),
             )
-            first = FIRST.match(event.text) and _at_junction(event, clauses, road)
-            if (waits and gone or first) and not any(e.act == "yield" and e.agent.ego for e in clauses.events):
+            if (waits and gone) and not any(e.act == "yield" and e.agent.ego for e in clauses.events):
                 given_way = {"patient": event.agent, "order": event.order - 0.1, "words": [event.word]}
                 clauses.events.append(Event.echo(event, act="yield", agent=cast.ego, **given_way))
     for event in [e for e in clauses.events if e.act == "cut_in" and e.done and LEAVES.search(e.text)]:
@@ -219,7 +196,6 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and any(c.order > event.order and (c.agent is event.agent or event.agent in c.also) for c in contact)
         ):
             event.mode = "hypothetical"
-    out_to_pass(clauses)
     clauses.events.sort(key=lambda e: e.order)
 
 

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.who.mentions import Cast, Entity
+from c2s_engine.interpret.who.mentions import Cast
 
 STEPS = frozenset(("cross_road", "enter_road"))
-NAMED = frozenset(("the", "this", "that", "neither", "nor", "his", "her", "its", "my", "our"))
 
 
 def stays_put(cast: Cast, clauses: Clauses) -> None:
@@ -14,11 +13,3 @@ def stays_put(cast: Cast, clauses: Clauses) -> None:
     for event in list(clauses.events):
         if event.mode != "negated" or event.act not in STEPS:
             continue
-        for who in (event.agent, *event.also):
-            if who.ego or not (who.person or who.type == "bicycle") or not _known(who, cast):
-                continue
-
-
-def _known(who: Entity, cast: Cast) -> bool:
-    """Whether one in particular is meant, not anybody: "the child", no "pedestrians do not cross here"."""
-    return any({cast.words[c].norm for c in cast.words[m.word].children} & NAMED for m in who.mentions)

@@ -3,11 +3,9 @@
 import re
 
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.overtakings import HOME
 from c2s_engine.interpret.what.towards import OPPOSITE, side
 
-SIDEWAYS = frozenset(("lane_change", "cut_in", "cut_out", "drift", "oncoming"))
 COMES_BACK = re.compile(
     r"(?:come|get|go|move|steer|swing|pull|slip|drive|cut|find (?:its|his|her) way) (?:\w+ly |just |right )?back\b"
     r"(?! (?:and forth|to|in|into|onto|over) (?!(?:its|his|her|their|the) (?:own |correct |proper |right )*"
@@ -20,12 +18,12 @@ def there_and_back(clauses: Clauses) -> None:
     """A change back goes to the other side: "drifts to the left ... moves back into its lane"."""
     for event in clauses.events:
         if event.act == "travel" and event.done and not event.agent.ego and COMES_BACK.match(event.text):
-            out = _before(clauses, event)
+            out = None
             event.act = "lane_change" if out is not None and out.act == "oncoming" else event.act
     for event in clauses.events:
         if event.act not in ("lane_change", "cut_in") or not event.done or not HOME.search(event.text):
             continue
-        out = _before(clauses, event)
+        out = None
         towards = side(out) if out is not None else None
         if out is not None and out.act == "oncoming":
             towards = towards or "left"
@@ -38,9 +36,3 @@ def swerves_back(clauses: Clauses) -> None:
     for event in clauses.events:
         if event.act != "cut_in" or not event.done or event.agent.ego or not HOME.search(event.text):
             continue
-
-
-def _before(clauses: Clauses, event: Event) -> Event | None:
-    """The last by which the same one left its lane."""
-    own = [e for e in clauses.events if e.agent is event.agent and e.done and e.order < event.order]
-    return next((e for e in reversed(own) if e.act in SIDEWAYS), None)

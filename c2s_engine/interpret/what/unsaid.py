@@ -6,7 +6,7 @@ from __future__ import annotations
 from c2s_engine.interpret import language
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
-from c2s_engine.interpret.who.mentions import Cast, Entity
+from c2s_engine.interpret.who.mentions import Cast
 
 NOTICES = language.words("notices")
 STRIKES = language.words("strikes")
@@ -18,7 +18,7 @@ def unsaid(cast: Cast, clauses: Clauses) -> None:
         if event.act == "collide":
             _by_the_other(cast, event)
         if event.act == "follow" and event.agent.ego and event.patient is None and event.done:
-            event.patient = _before(cast, event)
+            event.patient = None
 
 
 def by_who_did_not_notice(cast: Cast, clauses: Clauses) -> None:
@@ -51,10 +51,3 @@ def _by_who_did_not_notice(cast: Cast, clauses: Clauses, event: Event) -> None:
         return
     event.patient = event.agent if event.patient in (None, who) else event.patient
     event.agent = who
-
-
-def _before(cast: Cast, event: Event) -> Entity | None:
-    """The last other vehicle that was named before."""
-    named = [i for i in sorted(cast.of) if i < event.word and not cast.of[i].ego and not cast.of[i].person]
-    last = cast.of[named[-1]] if named else None
-    return last if last is not None and last.mover else None

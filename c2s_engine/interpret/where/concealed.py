@@ -72,12 +72,6 @@ HIDDEN = (
 STANDS_OR_COMES = re.compile(r"parked|stand|stop|stationary|emerge|step|appear|run|dart")
 
 
-def _comes_onto_road(entity: Entity, text: str) -> bool:
-    """Whether one that is behind something walks or rides onto the road."""
-    moves = "walk|come|move|rush|hurr|jump|ride|cycle|wander|push|enter|go|cross"
-    return re.search(rf"@{entity.key} .*\b(?:{moves})\w* .*\b(?:road|lane|across)", text) is not None
-
-
 TO_SIDE = (
     rf"\b{_VIEW}(?: (?:to|on|towards|into|of) {_SIDE})?"
     rf" be (?:\w+ )?(?:{_HIDE}|obstructed|obstruct|impeded|impede|restricted|restrict|limited|limit) by {_A}"
@@ -160,7 +154,7 @@ class Concealed(Gaps):
             return False
         if words == "behind" and blocker.noun in FIXED:
             return False  # "approaches behind a hedge"
-        if words == "behind" and not (STANDS_OR_COMES.search(text) or _comes_onto_road(entity, text)):
+        if words == "behind" and not (STANDS_OR_COMES.search(text)):
             return True
         stands = blocker.roles & {"parked", "stationary"} or re.search(r"(parked|stopped|stationary)", text)
         if words == "in front of" and not stands:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from typing import Any
 
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.surroundings.whereabouts import Where
@@ -32,18 +31,11 @@ class Gaps:
                 return self.cast.of[word.i]
         return None
 
-    def _begins_something(self, quantity: dict[str, Any]) -> bool:
-        """Whether a number tells from what time or distance on somebody does something, not where one starts."""
-        moments = (e.trigger for e in self.clauses.events if e.trigger and e.act not in ("travel", "stationary"))
-        return any(m.get("at") == quantity["start"] for m in moments)
-
     def _gap(self, indices: list[int], where: Where, only_ahead: bool = False, entity: Entity | None = None) -> None:
         if where.gap is not None:
             return
         text = self.clauses.render(indices)
         for quantity in self.clauses._quantities(indices):
-            if self._begins_something(quantity):
-                continue
             whose = self._whose(quantity["word"]) if entity is not None else None
             if whose is not None and whose is not entity and not whose.ego:
                 continue
@@ -85,13 +77,3 @@ class Gaps:
                         low, high = high * 0.6, high * 0.95
                     where.gap = (low, high)
                     return
-            elif quantity["dimension"] == "time" and where.gap_time is None and _apart(before, after, text):
-                where.gap_time = quantity["low"]
-
-
-APART = re.compile(r"(time[- ]?)?(gap|headway|ttc|collision|apart|interval|distance)")
-
-
-def _apart(before: str, after: str, text: str) -> bool:
-    """Whether a time is how far apart two are: "a headway of 2 s", "2 s behind the truck"."""
-    return APART.search(f"{before} {after}{text}") is not None

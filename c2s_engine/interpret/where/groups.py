@@ -3,23 +3,10 @@
 from __future__ import annotations
 
 import re
-from copy import copy
 
-from c2s_engine.interpret import language
 from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.who.mentions import MOTOR, MOVERS, Cast, Entity
-
-BOTH = re.compile(
-    r"(?<!across )(?<!over )(?<!cross )(?<!block )"
-    r"\b(?:both|either|each) (?:of the )?(?:adjacent |neighbou?ring |adjoining |other |outer |next )?"
-    r"(?:lanes?|sides?)\b"
-    r"|\b(?:left|right)(?:-hand)?(?: lane| side)? and (?:(?:in|on|to) )?(?:the |its )?(?:left|right)\b(?! turn)"
-)
-
-
-ASIDE = frozenset(("lane_change", "cut_out", "leave_road", "swerve", "yield", "cut_in"))
-FROM_BOTH = re.compile(r"\bfrom (?:both|either|each|opposite|the two) (?:sides?|directions?|arms?)\b")
+from c2s_engine.interpret.who.mentions import MOTOR, Cast, Entity
 
 
 def split_groups(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
@@ -27,15 +14,8 @@ def split_groups(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     for group in [e for e in cast.entities if e.count > 1 and e.mover and e.group is None]:
         members = sorted((e for e in cast.entities if e.group is group), key=lambda e: e.ordinal or 0)
         own = [m for m in members if _matters(m, clauses, of)]
-        for member in members:
-            if member not in own:
-                _dissolve(member, group, cast, clauses, of)
         if own:
             _leave(group, own, cast, clauses, of)
-        elif group.ordinal is None and _every_lane(group, cast, of):
-            _in_every_lane(group, cast, clauses, of)
-        elif group.ordinal is None and any(p.search(_said(group, cast, of)) for p in (BOTH, FROM_BOTH)):
-            _both_sides(group, cast, clauses, of)
 
 
 def abreast(clauses: Clauses, of: dict[Entity, Where]) -> None:
@@ -48,14 +28,6 @@ def abreast(clauses: Clauses, of: dict[Entity, Where]) -> None:
             continue
         for where in (of[e] for e in pair):
             where.rel = "ahead" if where.rel == "beside" and (where.of is None or where.of in pair) else where.rel
-
-
-def _said(entity: Entity, cast: Cast, of: dict[Entity, Where]) -> str:
-    near = [
-        " ".join(w.norm for w in cast.words[m.word : m.word + 9] if w.sentence == cast.words[m.word].sentence)
-        for m in entity.mentions[:1]
-    ]
-    return " ; ".join([*near, *(t for _, t in of[entity].phrases)])
 
 
 def _matters(member: Entity, clauses: Clauses, of: dict[Entity, Where]) -> bool:
@@ -76,21 +48,6 @@ def _matters(member: Entity, clauses: Clauses, of: dict[Entity, Where]) -> bool:
     )
 
 
-def _dissolve(member: Entity, group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
-    """The member is only pointed at: it stands for the group."""
-    for i, entity in list(cast.of.items()):
-        if entity is member:
-            cast.of[i] = group
-    for event in clauses.events:
-        event.agent = group if event.agent is member else event.agent
-        event.patient = group if event.patient is member else event.patient
-    for where in of.values():
-        where.of = group if where.of is member else where.of
-        where.hidden_by = group if where.hidden_by is member else where.hidden_by
-    cast.entities.remove(member)
-    of.pop(member, None)
-
-
 def _numbers(member: Entity, whole: int) -> range:
     """Which of a group a member is, or several are."""
     first = member.ordinal if member.ordinal and member.ordinal > 0 else whole - member.count + 1
@@ -107,11 +64,6 @@ def _leave(group: Entity, own: list[Entity], cast: Cast, clauses: Clauses, of: d
         queue.append(member if member is not None else group)
     queue = list(dict.fromkeys(queue)) if any(m.count > 1 for m in own) else queue
     queue = queue if all(m in queue for m in own) else [*([group] if group.count else []), *own]
-    idle = group.count > 0 and not any(group in (e.agent, e.patient) for e in clauses.events)
-    if idle and where.rel is None and where.lane is None and of[own[0]].lane is None and _counted(group, cast):
-        where.rel = "ahead"
-    if cast.in_a_row(group) and where.rel in (None, "ahead") and where.lane != "oncoming":
-        queue.reverse()  # ego is behind: the last one is the nearest
     for member in own:
         before = queue[queue.index(member) - 1] if queue.index(member) else None
         theirs = of[member]
@@ -148,99 +100,6 @@ def _leave(group: Entity, own: list[Entity], cast: Cast, clauses: Clauses, of: d
         where.of = queue[queue.index(group) - 1] if where.lane in (None, "same") else where.of
 
 
-def _both_sides(group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
-    """One half of the group is on the left, the other on the right."""
-    where = of[group]
-    queue = group.noun in language.table("actors")["queues"]
-    if (
-        queue
-        or group.type not in MOVERS
-        or where.lane in ("oncoming", "ramp")
-        or where.lane == "crossing"
-        and where.side
-        or group.roles & {"oncoming"}
-    ):
-        return
-    twin = copy(group)
-    twin.key, twin.roles, twin.mentions = f"{group.key}0", set(group.roles), list(group.mentions)
-    off = where.lane in ("parked", "roadside", "sidewalk") or "parked" in group.roles or group.person
-    rows = off and group.type in MOTOR and group.count == 2 and not _counted(group, cast)
-    twin.count = 2 if rows else max(1, group.count // 2)
-    group.count = 2 if rows else max(1, group.count - twin.count)
-    cast.entities.insert(cast.entities.index(group) + 1, twin)
-    other = copy(where)
-    other.phrases = list(where.phrases)
-    moves = [e for e in clauses.events if e.agent is group and e.act in ASIDE]
-    for event in moves:
-        event.side = "left"
-    for half, side in ((where, "left"), (other, "right")):
-        half.side = side
-        if not off:
-            half.lane, half.rel = side, half.rel or "beside"
-    of[twin] = other
-    for event in clauses.events:
-        if event.agent is group:
-            event.also = [*event.also, twin]
-
-
-def _counted(group: Entity, cast: Cast) -> bool:
-    """Whether a number is told with a group: "two cars", not "cars"."""
-    counts = language.table("actors")["counts"]
-    at = group.mentions[0].word
-    return any(w.norm in counts or w.tag == "CD" for w in cast.words[max(0, at - 3) : at])
-
-
-EVERY = re.compile(
-    r"\b(?:both|all|two|all two|the two) (?:of the |the )?lanes?\b[^.;]{0,40}?\b(?:by|with|of|full)\b[^.;]{0,20}$"
-)
-
-
-IN_ALL = re.compile(r"\bin (?:both|all|the two|all three|all two) (?:of the )?lanes\b")
-MIDDLE = re.compile(r"\b(?:middle|cent(?:er|re)) (?:one )?(?:lane|of)\b")
-
-
-def _ego_in_middle(cast: Cast) -> bool:
-    """Whether ego has a lane on either side, so that "both lanes" are those beside it."""
-    return MIDDLE.search(" ".join(w.norm for w in cast.words)) is not None
-
-
 ABREAST = re.compile(
     r"\b(?:side by side|abreast|next to (?:each other|one another)|neck and neck|alongside each other)\b"
 )
-
-
-def _every_lane(group: Entity, cast: Cast, of: dict[Entity, Where]) -> bool:
-    """Whether some fill the lanes of ego's direction: "both lanes are blocked by stationary cars", "two trucks side by
-    side block both lanes"."""
-    if group.type not in MOTOR:
-        return False
-    if IN_ALL.search(_said(group, cast, of)) and not _ego_in_middle(cast):
-        return True
-    if "stationary" not in group.roles:
-        return False
-    for mention in group.mentions:
-        number = cast.words[mention.word].sentence
-        before = [w.norm for w in cast.words[max(0, mention.word - 12) : mention.word] if w.sentence == number]
-        if EVERY.search(" ".join(before) + " "):
-            return True
-    return False
-
-
-def _in_every_lane(group: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
-    """One half of the group is in ego's lane, the other in the lane beside; of three, one is in each lane."""
-    where = of[group]
-    where.lane, where.rel, where.side = "same", "ahead", None
-    where.of = None if where.of is not None and where.of.ego else where.of
-    lanes = ("left", "right") if group.count == 3 else ("adjacent",)
-    for number, lane in enumerate(lanes):
-        twin = copy(group)
-        twin.key, twin.roles, twin.mentions = f"{group.key}{number}", set(group.roles), list(group.mentions)
-        twin.count = max(1, group.count // (len(lanes) + 1 - number))
-        group.count = max(1, group.count - twin.count)
-        cast.entities.insert(cast.entities.index(group) + 1, twin)
-        other = copy(where)
-        other.phrases, other.lane = list(where.phrases), lane
-        of[twin] = other
-        for event in clauses.events:
-            if event.agent is group:
-                event.also = [*event.also, twin]

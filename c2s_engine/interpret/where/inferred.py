@@ -7,7 +7,6 @@ import re
 from c2s_engine.interpret.surroundings.whereabouts import STATES
 from c2s_engine.interpret.what.towards import OPPOSITE, side
 from c2s_engine.interpret.where.concealed import Concealed
-from c2s_engine.interpret.who.mentions import Entity
 
 BEFORE_OR_BEHIND = re.compile(
     r"^(?:[^;]*?\b(?P<side>left|right)\b)?[^;]*?\b(?P<rel>behind|after|in front of|ahead of|before|between|path of) "
@@ -140,9 +139,8 @@ class Inferred(Concealed):
             named = " ".join(t for _, t in where.phrases)
             if not stands or not re.search(r"(left|right)[\w-]* lane", named):
                 continue
-            ahead = [e for e in self.clauses.events if e.done and self._leads(e.agent)]
             round_it = re.compile(rf"\b(around|round|avoid|evade|block) (the )?@{entity.key}\b")
-            met = any(round_it.search(e.text) for e in (*own, *ahead))
+            met = any(round_it.search(e.text) for e in own)
             halts = re.search(r"\bblock\w*\b", named) and any(e.act in HALTS for e in own)
             aside = [e for e in own if e.act in DODGES and side(e) == OPPOSITE[where.lane]]
             dodges = bool(aside)
@@ -150,11 +148,6 @@ class Inferred(Concealed):
             if met or halts and not named_so or dodges and named_so <= {"collide"}:
                 self.ego_lane = f"{where.lane}most"
                 where.lane, where.rel, where.side = "same", "ahead", None
-
-    def _leads(self, entity: Entity) -> bool:
-        """Whether one drives ahead of ego in its lane."""
-        where = self.of.get(entity)
-        return where is not None and where.lane in (None, "same") and (where.rel == "ahead" or "lead" in entity.roles)
 
     def _overtaken(self) -> None:
         """One whom another (not ego) overtakes drives ahead of that other."""

@@ -5,7 +5,6 @@ import re
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
 REVEALS = re.compile(
@@ -35,7 +34,7 @@ def reveal(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
             or where.lane not in (None, "same")
             or entity.type in SPREAD
             or not _stands(entity, clauses)
-            or not (told or _new_after(entity, leaving, cast))
+            or not (told)
         ):
             continue
         where.hidden_by = leaving.agent
@@ -57,13 +56,3 @@ def _leads(entity: Entity, of: dict[Entity, Where]) -> bool:
 def _stands(entity: Entity, clauses: Clauses) -> bool:
     acts = any(e.agent is entity and e.act == "stationary" for e in clauses.events)
     return acts or "stationary" in entity.roles or not entity.mover
-
-
-def _new_after(entity: Entity, leaving: Event, cast: Cast) -> bool:
-    """Whether one is named for the first time, as something new, in the sentence of an event or the next, behind it."""
-    if not entity.mentions:
-        return False
-    word = cast.words[entity.mentions[0].word]
-    sentence = cast.words[leaving.word].sentence
-    new = {"a", "an"} & {w.norm for w in cast.words[max(0, word.i - 3) : word.i]}
-    return bool(new) and word.i > leaving.word and word.sentence in (sentence, sentence + 1)

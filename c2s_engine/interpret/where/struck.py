@@ -33,11 +33,6 @@ OUT_INTO = re.compile(
 )
 """Into whom one comes that was off the road."""
 PUSHES = language.words("pushes")
-PUSHES_ONTO = re.compile(
-    r"^\w+ (?:the )?@(?P<whom>\w+) (?:\w+ )?(?:in|on)to (?:the |an? )?(?:\w+ (?:\w+ )?of )?(?:the )?"
-    r"@(?P<what>\w+)\b(?! 's lane)"
-)
-"""Who is pushed, and into whom."""
 IN_ORDER = re.compile(r"\bin (?:that|this|the same|numerical|the following) order\b")
 BACKS_INTO = (6.0, 12.0)
 """How far (m) behind ego stands what it reverses into."""
@@ -47,8 +42,6 @@ def pushed(clauses: Clauses) -> None:
     """Who is pushed into another hits that one: "struck V2, which was pushed into V3"."""
     by_key = {e.key: e for e in (clauses.cast.ego, *clauses.cast.entities)}
     for event in list(clauses.events):
-        if event.act == "collide" and not event.passive and (onto := PUSHES_ONTO.match(event.text)):
-            _push_onto(clauses, event, by_key.get(onto["whom"]), by_key.get(onto["what"]))
         if event.act != "collide" or not event.passive or clauses._lemma(clauses.words[event.word]) not in PUSHES:
             continue
         into = re.search(r"\binto (?:the )?(?:\w+ of )?(?:the )?@(\w+)", event.text)
@@ -80,34 +73,14 @@ def came_out_into(clauses: Clauses) -> None:
             hits.add((event.word, event.agent))
 
 
-def _push_onto(clauses: Clauses, event: Event, whom: Entity | None, what: Entity | None) -> None:
-    """ "V2 struck V1, pushing it into V3": V1 hits V3; the push is the blow that was told."""
-    struck = (e for e in clauses.events if e is not event and e.act == "collide" and e.agent is event.agent)
-    told = any(e.patient is whom and e.done for e in struck)
-    clauses.events.append(Event.echo(event, agent=whom, patient=what, order=event.order + 0.1))
-    event.mode = "hypothetical" if told else event.mode
-    event.patient = whom
-
-
 def twice(clauses: Clauses) -> None:
     """Who cannot stop in time and then hits somebody hits once: the blow without a party is left out, as is what one
     that was struck comes to rest against."""
     hits = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in hits:
-        later = [e for e in hits if e is not event and e.agent is event.agent and e.patient is not None]
-        again = [e for e in later if e.patient is event.patient and e.word > event.word]
-        if event.patient is not None and again and event.mode == "fact":
-            _told_once(clauses, event, again[0])
         struck = any(e.word < event.word and event.agent in (e.agent, e.patient) for e in hits if e is not event)
         if RESTS.match(event.text) and not event.agent.ego and struck:
             event.mode = "hypothetical"
-
-
-def _told_once(clauses: Clauses, first: Event, again: Event) -> None:
-    """A blow that a heading or summary tells before the story does: only the story's."""
-    if clauses.words[first.word].sentence < clauses.words[again.word].sentence:
-        between = any(e.agent is first.agent and first.order < e.order < again.order for e in clauses.events if e.done)
-        (first if between else again).mode = "hypothetical"
 
 
 def struck_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
@@ -120,10 +93,7 @@ def struck_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None
             _thing(hit, clauses, of[hit.patient])
         if _from_behind(hit, clauses):
             _one_behind(hit, of)
-        elif HEAD_ON.search(hit.text):
-            _head_on(hit, of)
-        else:
-            _next_in_chain(hit, clauses, of)
+        elif not HEAD_ON.search(hit.text):
             _ahead_of_pushed(hit, clauses, of)
 
 
@@ -160,33 +130,10 @@ def _one_behind(hit: Event, of: dict[Entity, Where]) -> None:
         of[agent].of = None if patient.ego else patient
 
 
-def _next_in_chain(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
-    """Who hits one that has hit ego is behind that one: "V2 hit V1. V3 hit V2"."""
-    agent, patient = hit.agent, hit.patient
-    assert patient is not None
-    if agent not in of or patient not in of:
-        return
-    hits = [e for e in clauses.events if e.act == "collide" and e.agent is patient and e.done]
-    before = any(e.patient is not None and e.patient.ego for e in hits if e.word < hit.word) and _open(of[patient])
-    after = of[patient].of is None or of[patient].of.ego  # type: ignore[union-attr]
-    waits = of[patient].rel == "behind" and after and of[patient].lane in (None, "same")
-    if not before and not (waits):
-        return
-    if agent.mover and not agent.roles & {"oncoming", "crossing"}:
-        of[agent].rel, of[agent].lane, of[agent].of = "behind", "same", patient
-
-
 def _ahead_of_pushed(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Whom one is pushed into is ahead of that one: "ran into V2, pushing it into V3"."""
     _agent, patient = hit.agent, hit.patient
     assert patient is not None
-
-
-def _head_on(hit: Event, of: dict[Entity, Where]) -> None:
-    """Who meets ego head-on comes the other way."""
-    other = hit.patient if hit.agent.ego else hit.agent if hit.patient is not None and hit.patient.ego else None
-    if other in of and other.mover and not other.person and _open(of[other]) and not other.roles & {"lead", "parked"}:
-        of[other].rel, of[other].lane = None, "oncoming"
 
 
 def _thing(hit: Event, clauses: Clauses, where: Where) -> None:

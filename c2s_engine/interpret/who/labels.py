@@ -12,13 +12,6 @@ from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.nouns import Nouns
 
 STANDS, STANDS_STILL = language.words("stands"), language.words("stands_still")
-BY_WHOM_PLACED = frozenset(("of", "behind", "beside", "to", "with"))
-TOLD_BY_PLACE = re.compile(
-    r"\b(?:the|its|ego's) (?:\w+ )?(?P<noun>vehicle|actor|target|npc|participant|agent|object|opponent|adversary|one)"
-    r" (?:[\w']+ ){1,7}?[,(] (?:a|an) (?:[\w-]+ ){0,2}@(?: [^,();]{1,40}?)? ?(?:, [^,();]{1,30})?[,)] "
-    r"(?!and\b|or\b|a\b|an\b|the\b)"
-)
-"""A vehicle told by its place and named behind a comma, where the sentence then goes on about it."""
 
 
 class Labels(Nouns):
@@ -47,7 +40,7 @@ class Labels(Nouns):
         data = word.span.data  # type: ignore[union-attr]
         label = data["label"]
         if label == "1" and self.one_is_ego:
-            host = self._apposed(word) or self._known_as(word)
+            host = self._apposed(word)
             if host and not host.ego and len(host.mentions) <= 2:
                 self.become_ego(host)
             return self.ego
@@ -91,23 +84,8 @@ class Labels(Nouns):
         self.entities.remove(entity)
         self.subjects = [(i, self.ego if e is entity else e) for i, e in self.subjects]
 
-    def _aboard_label(self, word: Word, kind: str) -> Entity | None:
-        """Who is only called by a label and told to be on a bicycle: "P-2 on a bicycle", or with a rider."""
-        by = self.words[word.head]
-        host = self.of.get(by.head) if word.dep == "pobj" else None
-        if host is None or host.ego and kind != "rider":
-            return None
-        if kind == "rider" and by.norm == "with" and host.type in ("motorcycle", "bicycle"):
-            return host  # "a motorcycle with rider and passenger"
-        rides = by.norm == "on" and kind in ("bicycle", "motorcycle") and host.label and host.person
-        return host if rides else None
-
     def _apposed(self, word: Word) -> Entity | None:
         """The entity that a label or noun stands beside: "a car (V2)", "V2, a car", "V2 was a truck"."""
-        if (host := self._in_brackets_of(word)) is not None:
-            return host
-        if (host := self._told_by_place(word)) is not None:
-            return host
         before = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
         gap: list[str] = []
         for other in reversed(before):
@@ -134,47 +112,6 @@ class Labels(Nouns):
             gap.append(other.norm)
         return None
 
-    def _told_by_place(self, word: Word) -> Entity | None:
-        """The vehicle that is told by its place and then named: "the vehicle preceding the ego, a pickup, brakes"."""
-        sentence = [w for w in self.words if w.sentence == word.sentence]
-        text = " ".join(w.norm if w.i != word.i else "@" for w in sentence)
-        match = TOLD_BY_PLACE.search(text)
-        if match is None:
-            return None
-        at = sentence[len(text[: match.start("noun")].split())]
-        host = self.of.get(at.i)
-        return host if host is not None and not host.ego and not host.typed and host.count == 1 else None
-
-    def _in_brackets_of(self, word: Word) -> Entity | None:
-        """Whose label stands before the bracket that says what it is: "V1 (2019 Isuzu NPR delivery truck)"."""
-        if word.span is None or word.span.kind != "actor":
-            return None
-        for other in reversed(self.words[max(1, word.i - 8) : word.i]):
-            if other.norm == "(":
-                named = self.words[other.i - 1]
-                labelled = named.span is not None and named.span.kind == "label"
-                return self.of.get(named.i) if labelled else None
-            if other.norm in (")", ";", ".") or other.verb or other.tag == "IN":
-                return None
-        return None
-
-    def _set_off(self, word: Word) -> bool:
-        """Whether a noun stands between commas right behind a label: "V1, a Honda Civic also westbound, turned"."""
-        back = [w for w in self.words[max(0, word.i - 6) : word.i] if w.sentence == word.sentence]
-        at = next((n for n, w in enumerate(back) if w.norm == ","), 0)
-        label = back[at - 1].span if at else None
-        placed = at and back[at - 1].dep == "pobj" and self.words[back[at - 1].head].norm in BY_WHOM_PLACED
-        if (
-            label is None
-            or placed  # "ahead of ego, a car, a van and a truck drive"
-            or label.kind not in ("label", "ego")
-            or not {"a", "an"} & {w.norm for w in back[at + 1 :][:1]}
-        ):
-            return False
-        after = [w for w in self.words[word.i + 1 : word.i + 8] if w.sentence == word.sentence]
-        closed = next((n for n, w in enumerate(after) if w.norm == "," or w.tag in ("VBD", "VBZ", "CC")), len(after))
-        return closed < len(after) and after[closed].norm == ","
-
     def _copula(self, word: Word) -> Entity | None:
         """The subject of "X is/was a truck"."""
         head = self.words[word.head]
@@ -196,32 +133,3 @@ class Labels(Nouns):
                 if self.words[child].dep == "nsubj" and child < word.i:
                     return None
         return None
-
-    def _bracketed(self, word: Word) -> Entity | None:
-        """The one after whom a bracket names ego: "one minivan (the ego here)", "the van (= our ego)"."""
-        back = [w for w in self.words[max(0, word.i - 7) : word.i] if w.sentence == word.sentence]
-        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
-        comma = word.i and "," in [w.norm for w in self.words[max(0, word.i - 3) : word.i]]
-        after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
-        if comma and after != ",":
-            return None
-        if re.search(
-            r"@ (\(|\[|,|--?) ?(=|i ?\. ?e ?\.? ?,?|that is ,?|here|namely|this is|call it|as|being)? ?"
-            r"(the |our |my )?$",
-            text + " ",
-        ):
-            return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
-        return None
-
-    def _which_is(self, word: Word, told: str = r"@ ?,? (which|that|who) (is|was) (our |the |my )?$") -> Entity | None:
-        """The one of whom it is said "which is our ego"."""
-        back = [w for w in self.words[max(0, word.i - 9) : word.i] if w.sentence == word.sentence]
-        text = " ".join("@" if w.i in self.of and w.span is not None else w.norm for w in back)
-        if re.search(told, text + " "):
-            return next((self.of[w.i] for w in reversed(back) if w.i in self.of and w.span is not None), None)
-        return None
-
-    def _known_as(self, word: Word) -> Entity | None:
-        """The one that goes by a label: "the van, which the report lists as vehicle 2", "referred to as V2"."""
-        named = r"(which|whom|that|who|here\w*|referred|designated|recorded|listed|marked|identified|described|known)"
-        return self._which_is(word, rf"@ ?,? ?\(? ?{named}( [^\s,.;]+){{0,6}} as $")

@@ -16,7 +16,6 @@ ENDS = {
 """What tells the first and the last of a group, before and after "one"."""
 PICKED = {"latter": "last", "former": "first", "one": "first"}
 """Words that pick one out of those who are named after "of"."""
-PLACED = frozenset(("at", "on", "in", "behind", "ahead", "beside", "to", "from", "next", "alongside", "further"))
 NUMBERS = frozenset(("two", "three", "four"))
 COUNTED = frozenset(("second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"))
 
@@ -43,15 +42,13 @@ class Members(Portions):
         told = word.norm if word.norm in ORDINALS else before[-1] if before and word.norm == "one" else ""
         if word.norm == "one" and groups and (end := self._end(word, before, groups[-1])):
             return self.member(groups[-1], end)
-        if word.norm == "one" and "the" in before and (there := self._by_place(word, self.entities)) is not None:
-            return there
         named = before[-1:] if told == word.norm else before[-2:-1]
         single = self._one_of(word, before, groups[-1]) if groups else None
         if single is not None:
             return single
         if told not in ORDINALS or named not in (["the"], ["its"]):
             return None
-        return self.member(groups[-1], told) if groups else self._by_order(word, told)
+        return self.member(groups[-1], told) if groups else None
 
     def _end(self, word: Word, before: list[str], group: Entity) -> str:
         """Which end of a group "the one in front", "the rear one" or "the one behind" is."""
@@ -85,14 +82,6 @@ class Members(Portions):
                 if found is not None:
                     self.of[word.i] = found
                     found.mentions.append(Mention(word.i, word.start, word.end, kind="pronoun"))
-
-    def _by_order(self, word: Word, told: str) -> Entity | None:
-        """ "The first one" where single ones of a kind, or two or three in all, were told one after the other."""
-        spoken = [self.of[i] for i in sorted(self.of) if i < word.i and self.of[i].mover]
-        single = [e for e in dict.fromkeys(spoken) if not e.ego and e.count == 1]
-        alike = [e for e in single if e.type == spoken[-1].type]
-        alike = alike if len(alike) > 1 or len(single) > 3 else single
-        return alike[ORDINALS[told]] if 1 < len(alike) > ORDINALS[told] else None
 
     def _one_of(self, word: Word, before: list[str], group: Entity) -> Entity | None:
         """ "One bolts across, the other stays", after two were spoken of: one member and the other."""
@@ -156,10 +145,6 @@ class Members(Portions):
             spoken = others if len(set(others)) > 1 else spoken
             pair = list(dict.fromkeys(reversed(spoken)))[:2]
             return pair[0 if norm == "latter" or len(pair) == 1 else 1] if pair else None
-        if norm == "one" and (listed := self._next_listed(word, following)) is not None:
-            if listed.group is not None:
-                return self.member(listed.group, "last")
-            return self._new(Entity("", listed.type, noun=listed.noun, typed=listed.typed))
         counted = norm == "one" and word.i > 1 and self.words[word.i - 1].norm in COUNTED
         if (
             norm == "another"
@@ -194,19 +179,6 @@ class Members(Portions):
             return self._together(word)
         return None
 
-    def _next_listed(self, word: Word, following: Word | None) -> Entity | None:
-        """Like whom the next of a list is ("one car in front, one on the left and one behind"), or of whose group."""
-        before = self.words[word.i - 1].norm if word.i else ""
-        before = self.words[word.i - 2].norm if before == "and" and word.i > 1 and "," in before else before
-        if following is None or following.norm not in PLACED or before not in (",", ";", "and"):
-            return None
-        back = [w for w in self.words[: word.i - 1] if w.sentence == word.sentence and w.i in self.of]
-        back = [w for w in back if not self.of[w.i].ego]
-        model = self.of[back[-1].i] if back else None
-        counts = {w.norm for w in self.words[back[-1].i - 2 : back[-1].i + 1]} if back else set()
-        alone = model is not None and model.count == 1 and model.mover
-        return model if alone and counts & {"one", "a", "an"} else None
-
     def _the_other(self, movers: list[Entity], mutual: bool) -> Entity:
         """Whom "the other" means: not who was the last subject (unless in "one behind the other"), one of the same kind
         or a vehicle if there is one."""
@@ -230,27 +202,13 @@ class Members(Portions):
         since = list(dict.fromkeys(e for e in earlier[earlier.index(groups[-1]) :] if e.count == 1)) if groups else []
         if groups and not (groups[-1].roles & {"parked", "stationary"} and len([e for e in since if not e.ego]) > 1):
             return groups[-1]
-        joint = self._joint(word)
+        joint = None
         doer = self._subject_of(self._governor(word)) if word.dep in ("dobj", "pobj", "npadvmod") else None
         earlier = [e for e in earlier if e is not doer]
         if (joint is None or doer in joint) and earlier:
             last = list(dict.fromkeys(reversed(earlier)))[:2]
             joint = sorted(last, key=lambda e: e.ego) if len(last) == 2 else None
         return self._all_of(word, joint) if joint else None
-
-    def _joint(self, word: Word) -> list[Entity] | None:
-        """Those of the last joint subject of this sentence or the one before ("a bus and a van wait. They ...")."""
-        for i in sorted((i for i in self.of if i < word.i), reverse=True):
-            if self.words[i].sentence < word.sentence - 1:
-                break
-            found = [self.of[i]]
-            at = self.words[i]
-            while at.dep == "conj" and at.head in self.of and at.head < at.i:
-                at = self.words[at.head]
-                found.insert(0, self.of[at.i])
-            if at.dep in ("nsubj", "nsubjpass") and len({*found}) > 1:
-                return sorted(dict.fromkeys(found), key=lambda e: e.ego)
-        return None
 
     def _all_of(self, word: Word, those: list[Entity]) -> Entity:
         """One word that means several of them: the first, with the others beside."""

@@ -16,8 +16,7 @@ from c2s_engine.interpret.entities import (
     Mention,
     fits,
 )
-from c2s_engine.interpret.reading.askers import asked, bystanding, narrator, quoted, told_by_others
-from c2s_engine.interpret.reading.newspaper import has_headline
+from c2s_engine.interpret.reading.askers import asked, narrator, told_by_others
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.labels import Labels
 
@@ -42,7 +41,7 @@ class Cast(Labels):
     def __init__(self, words: list[Word]) -> None:
         self.words = words
         self.asking = _asking(words)
-        self.onlooker = bystanding(" ".join(w.norm for w in words))
+        self.onlooker = False
         self.ego = Entity("ego", "car")
         self.entities: list[Entity] = []
         self.of: dict[int, Entity] = {}
@@ -50,8 +49,8 @@ class Cast(Labels):
         self.trailing: dict[str, Entity] = {}
         self.both: dict[int, list[Entity]] = {}  # whom else a word means that means several
         self.subjects: list[tuple[int, Entity]] = []  # grammatical subjects so far: (word, entity)
-        self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD") and not _by(words, w)}
-        self.headlined = has_headline(words)
+        self.told = {w.sentence for w in words if w.tag in ("VBZ", "VBD", "VBP", "MD")}
+        self.headlined = False
         self.me = self._narrator()
         self.strong_ego = any(self._strong(w) for w in words)
         self.ego_named = self.strong_ego or any(
@@ -190,7 +189,7 @@ class Cast(Labels):
             return self.me
         if span.kind == "ego":
             self._ego_type(word)
-            named = self._copula(word) or self._bracketed(word)
+            named = self._copula(word)
             after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
             near = named is not None and any(0 < word.i - m.word <= 6 for m in named.mentions)
             if (
@@ -215,17 +214,12 @@ class Cast(Labels):
                 self.ego.type, self.ego.typed = kind, True
 
 
-def _by(words: list[Word], verb: Word) -> bool:
-    """Whether a past form is a participle, as what did it follows: "oncoming motorcycle masked by a bus"."""
-    return verb.tag == "VBD" and verb.i + 1 < len(words) and words[verb.i + 1].norm == "by"
-
-
 def _asking(words: list[Word]) -> frozenset[int]:
     """The words in which first persons are nobody on the road ("please write me a scene", "I saw it from here")."""
     whole = " ".join(w.norm for w in words)
     if told_by_others(whole):
         return frozenset(w.i for w in words)
-    found = _within(words, quoted)
+    found: set[int] = set()
     for number in {w.sentence for w in words}:
         found |= _within([w for w in words if w.sentence == number], asked)
     return frozenset(found)

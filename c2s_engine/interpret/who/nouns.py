@@ -7,31 +7,20 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PERSONS, VEHICLES, ZONES, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.attached import Attached
 from c2s_engine.interpret.who.counted import Counted
-from c2s_engine.interpret.who.introduced import Introduced
 from c2s_engine.interpret.who.not_there import NotThere
 from c2s_engine.interpret.who.persons import DRIVERS, PARTIES
 from c2s_engine.interpret.who.reference import BOUND, COLOURS
 
-TWO_WHEELERS = language.words("two_wheelers")
-THIRD = frozenset(("his", "her", "its", "their"))
-AUTHORITIES = language.words("authorities")
-RIDES = frozenset(("ride", "rides", "rode", "riding", "ridden"))
 
-
-class Nouns(Introduced, NotThere, Counted):
+class Nouns(Attached, NotThere, Counted):
     """The part of Cast that reads nouns."""
 
     def _apposed(self, word: Word) -> Entity | None:
         raise NotImplementedError
 
-    def _aboard_label(self, word: Word, kind: str) -> Entity | None:
-        raise NotImplementedError
-
     def _copula(self, word: Word) -> Entity | None:
-        raise NotImplementedError
-
-    def _set_off(self, word: Word) -> bool:
         raise NotImplementedError
 
     def _actor(self, word: Word) -> Entity | None:
@@ -50,23 +39,13 @@ class Nouns(Introduced, NotThere, Counted):
                     entity.roles |= roles
                     return entity
             return self._new(Entity("", "vehicle", label=data["label"], roles=roles))
-        if noun in TWO_WHEELERS and kind == "bicycle" and (self._motor_bike(word) or self._splits_lanes(word)):
-            kind = "motorcycle"
-        if noun == "scooter" and (who := self._aboard(word)) is not None and who.span.data["type"] == "child":
-            kind = "bicycle"  # "a kid on a scooter"
-        if (aboard := self._aboard_label(word, "rider" if noun == "rider" else kind)) is not None:
-            return aboard
         if noun in language.table("actors")["riders"] and (mount := self._mount(word)) is not None:
             return mount
-        if self._rider_of(word):
-            return None
         if (puller := self._pulled(word, noun)) is not None:
             return puller
         before = self._modifiers(word)
         previous = self.words[word.i - 1].norm if word.i and self.words[word.i - 1].sentence == word.sentence else ""
         if previous in ("other",) and "no" in self._near(word):
-            return None
-        if data.get("plural") and noun in AUTHORITIES and self._reports(word):
             return None
         if kind == "pedestrian" and noun == "man" and previous in ("green", "red", "white"):
             return None  # of a light
@@ -77,9 +56,7 @@ class Nouns(Introduced, NotThere, Counted):
         if (kind in ("pedestrian", "child") or noun in language.table("actors")["drivers"]) and self._rides(word):
             return None
         if kind in ("pedestrian", "child") and not data.get("plural"):
-            at_wheel = (
-                self._driver_of(word) or self._at_wheel(word, self._owner_told(word, noun)) or self._aboard_before(word)
-            )
+            at_wheel = self._at_wheel(word, None)
             driver = at_wheel or self._steering(word)
             driver = driver or self._drives_on(word)
             if driver is not None:
@@ -92,26 +69,17 @@ class Nouns(Introduced, NotThere, Counted):
             return self._new(Entity("", "pedestrian", noun=noun, typed=True))  # "the van driver gets out"
         if word.i in self.wheels:
             return self._retyped(self.wheels[word.i], kind, roles, noun)
-        if self._is_modifier(word) or self._proper(word):
+        if self._is_modifier(word):
             return None
-        if noun == "traffic" and (not roles and not self._halts(word) or self._watched(word)):
+        if noun == "traffic" and (not roles):
             return None
-        if self._gone(word, before) or self._only_a_place(word, noun) or self._heads_list(word):
-            return None
-        if self._cab_of(word, noun) or self._all_of_a_kind(word):
-            return None
-        if self._writers_own(word, kind):
-            return self._retyped(self.ego, kind, roles, noun)
         if {"every", "each"} & {previous, *before}:
             several = [e for e in self.entities if e.count > 1]
             if several:
                 return several[-1]  # "three pupils cross ... until every child is across"
         if previous == "neither" and kind in MOTOR:
             data, noun = {**data, "plural": True}, language.plurals(noun)[0]  # "neither car brakes": of two
-        count = 2 if noun == "traffic" and not roles and self._flows(word) else self._count(word, before, data)
-        parties = self._parties(word, before, data, roles)
-        if parties is not None:
-            return parties
+        count = self._count(word, before, data)
         if re.search(
             r"(queue|line|row|jam|tailback|column|string) of( \w+)?$", " ".join(self._near(word)[-3:])
         ) and re.search(
@@ -120,7 +88,7 @@ class Nouns(Introduced, NotThere, Counted):
         ):
             roles.add("stationary")
         known = language.roles()
-        roles |= {known[b] for b in (*before, *self._behind(word)) if b in known}
+        roles |= {known[b] for b in before if b in known}
         host = self._copula(word)
         if (
             host is not None
@@ -128,9 +96,6 @@ class Nouns(Introduced, NotThere, Counted):
             and (host.mover or not MOVERS & {kind})
         ):
             return self._retyped(host, kind, roles, noun)
-        first = self._alternative(word)
-        if first is not None and first.type in VEHICLES | PERSONS and kind in VEHICLES | PERSONS:
-            return first
         host = self._called(word)
         if host is not None:
             return self._retyped(host, kind, roles, noun)
@@ -141,7 +106,6 @@ class Nouns(Introduced, NotThere, Counted):
             and word.head in self.of
             and self.of[word.head].type in ("vehicle", kind)
             and {"a", "an"} & set(before)
-            and not self._elsewhere(word)
             and not any(w.verb and not self._tells_of(w, word.head) for w in self.words[word.head + 1 : word.i])
         ):
             host = self.of[word.head]
@@ -153,7 +117,6 @@ class Nouns(Introduced, NotThere, Counted):
                 or bracket
                 or (bool(host.label) or host.noun in PARTIES)
                 and not host.typed
-                or self._set_off(word)
             )
             and self.words[word.i - 1].norm not in ("and", "or", "one")
             and (fits(host, kind) or host.type == "vehicle" or (host.ego and not self.ego.typed and kind in MOTOR))
@@ -188,7 +151,7 @@ class Nouns(Introduced, NotThere, Counted):
                         and bool(roles & entity.roles)
                     )
                     and len(entity.mentions) == 1
-                    and (not other or self._after_ego(word, entity))
+                    and (not other)
                     and count == entity.count
                     and self._heading(self.words[entity.mentions[0].word].sentence)
                     and self.words[entity.mentions[0].word].sentence < word.sentence
@@ -196,16 +159,16 @@ class Nouns(Introduced, NotThere, Counted):
                     entity.type = kind
                     entity.roles |= roles
                     return entity
-        first_told = self._told_again(word, kind, noun, count) if not other and ordinal is None else None
+        first_told = None if not other and ordinal is None else None
         titled = self._titled(word, kind) if not other and ordinal is None and count == 1 else None
-        titled = titled or (self._in_headline(word, kind) if not other and ordinal is None and count == 1 else None)
+        titled = titled or (None if not other and ordinal is None and count == 1 else None)
         new = {"a", "an"} & {previous, *before} and not other and ordinal is None and count == 1
         if new and titled is None and first_told is None:
             titled = None
         if (titled := titled or first_told) is not None:
             return self._retyped(titled, kind, roles, noun)
         if kind != "vehicle" and previous in ("a", "an") or {"a", "an"} & set(before):
-            named = self._revealed(word, kind)
+            named = None
             if named is not None:
                 return self._retyped(named, kind, roles, noun)
         if noun == "road works" or kind in ZONES:
@@ -215,13 +178,6 @@ class Nouns(Introduced, NotThere, Counted):
         if pronominal is not None:
             return pronominal
         bare = not {*before} - {","} and previous not in ("a", "an") and not data.get("plural")
-        if kind in PERSONS and self._of_a_person(word, noun):
-            return self._new(Entity("", kind, noun=noun, count=count, roles=roles, typed=True))
-        if noun in PARTIES and (self._other_side(noun) or self._drives_another(word)):
-            kind = "pedestrian" if self._party_afoot(word) else kind
-            return self._new(Entity("", kind, noun=noun, roles=roles, typed=kind in PERSONS))
-        if (bare or set(before) <= {"that", ","}) and (party := self._same_party(noun)) is not None:
-            return party
         if definite or bare or (roles and not {"a", "an", "another", "second", "third"} & set(before)):
             found = self._definite(word, kind, noun, roles, other, ordinal, definite, count, bare)
             if found is None and bare and data.get("person") and not roles:
@@ -231,8 +187,6 @@ class Nouns(Introduced, NotThere, Counted):
                     found.type, found.typed = kind, True
                 found.roles |= set() if data.get("person") and found.noun == noun else roles
                 return found
-        if other and count == 1 and not roles and (pair := self._ego_and_another(word, kind)) is not None:
-            pair.roles.add("group")
         found = Entity(
             "", kind, noun=noun, count=count, roles=roles, typed=kind not in ("vehicle", "rider"), ordinal=ordinal
         )
@@ -247,57 +201,10 @@ class Nouns(Introduced, NotThere, Counted):
         """Whether a participle only says which one a noun means: "the vehicle preceding ego, a pickup, brakes"."""
         return verb.dep == "acl" and verb.head == noun and verb.tag in ("VBG", "VBN")
 
-    def _of_a_person(self, word: Word, noun: str) -> bool:
-        """Whether it is somebody's mother, friend or dog, of whom was not spoken before."""
-        owners = [self.words[c] for c in word.children if self.words[c].dep == "poss"]
-        person = any(w.norm in THIRD or w.i in self.of and self.of[w.i].person for w in owners)
-        mine = any(w.i in self.of and self.of[w.i].ego for w in owners)
-        return person and not mine and all(e.noun != noun for e in self.entities)
-
-    def _splits_lanes(self, word: Word) -> bool:
-        """Whether a bike is one that splits the lanes: a motorcycle."""
-        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 8] if w.sentence == word.sentence)
-        return re.search(r"\b(?:split|filter)\w* (?:\w+ ){0,3}lanes?\b|\blane ?-? ?split", after) is not None
-
-    def _motor_bike(self, word: Word) -> bool:
-        """Whether "the bike" is a motorcycle spoken of before, as no bicycle was."""
-        new = {"a", "an", "another"} & {self.words[c].norm for c in word.children}
-        kinds = {e.type for e in self.entities} | ({self.ego.type} if self.ego.typed else set())
-        return "bicycle" not in kinds and ("motorcycle" in kinds or not new and self._ridden_by_me())
-
-    def _ridden_by_me(self) -> bool:
-        """Whether the first person, who drives in the story, is said to ride: "I was riding along at 50"."""
-        rides = (w for w in self.words if w.norm in RIDES and w.dep != "amod")
-        subjects = (self.words[c].norm for w in rides for c in w.children if self.words[c].dep == "nsubj")
-        return self.driven_by_me and not {"i", "we"}.isdisjoint(subjects)
-
-    def _watched(self, word: Word) -> bool:
-        """Whether traffic is only looked at or checked for."""
-        above = self.words[word.head]
-        verb = self.words[above.head] if above.dep == "prep" else above
-        return word.dep in ("pobj", "dobj") and verb.lemma in ("look", "watch", "check", "monitor", "scan", "glance")
-
-    def _proper(self, word: Word) -> bool:
-        """Whether the noun is part of a name ("Van Ness", "Ford")."""
-        if not word.text[:1].isupper() or word.text.isupper() or word.i + 1 >= len(self.words) or word.i == 0:
-            return False
-        if self._house(word):
-            return True
-        before, after = self.words[word.i - 1], self.words[word.i + 1]
-        return (
-            before.sentence == word.sentence
-            and after.text[:1].isupper()
-            and not after.text.isupper()
-            and after.span is None
-            and before.norm not in (".", ":", ";", "a", "the", "(", "an")
-        )
-
     def _is_modifier(self, word: Word) -> bool:
         """Whether the noun only qualifies another ("truck lane", "bus stop", "car park", "dog walker")."""
         head = self.words[word.head]
         following = self.words[word.i + 1] if word.i + 1 < len(self.words) else None
-        if following is not None and self._carried(word, following):
-            return True
         return bool(
             word.dep in ("compound", "nmod", "amod")
             and following is not None

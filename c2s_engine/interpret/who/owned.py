@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import VEHICLES, Entity
 from c2s_engine.interpret.reading.syntax import Word
@@ -12,11 +10,6 @@ from c2s_engine.interpret.who.ego_by_noun import EgoByNoun
 OWNERS = language.words("owners")
 MOVES = language.word_list("motion") | language.words("strikes") | language.words("manoeuvres")
 MISHAPS = language.words("mishaps")
-CLAIMS = frozenset(("claimant", "plaintiff", "complainant"))
-STEERS = language.words("steers")
-ON_FOOT = re.compile(
-    r",? ?(?:[\w-]+ ){0,8}?(?:on foot|walking|(?:on|using) (?:the|an?) (?:[\w-]+ )?(?:crossing|crosswalk))\b"
-)
 
 
 class Owned(EgoByNoun):
@@ -44,29 +37,6 @@ class Owned(EgoByNoun):
         if before and before[0] in ("our", "my"):
             return self.ego if kind in VEHICLES else None
         return None
-
-    def _other_side(self, noun: str) -> bool:
-        """Whether only the other party of a claim was spoken of: "the claimant was cycling ... the defendant"."""
-        known = {e.noun for e in self.entities}
-        return noun not in known and bool(known & CLAIMS) != (noun in CLAIMS) and bool(known & OWNERS)
-
-    def _party_afoot(self, word: Word) -> bool:
-        """Whether a party of a claim is told of on foot: "the claimant was crossing the street on foot"."""
-        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 14] if w.sentence == word.sentence)
-        return ON_FOOT.match(after) is not None
-
-    def _drives_another(self, word: Word) -> bool:
-        """Whether a party drives something of a type of which nobody was told yet: "a lorry turned. The claimant,
-        riding his bicycle, ..."."""
-        told = [w for w in self.words[word.i + 1 : word.i + 9] if w.sentence == word.sentence]
-        at = next((n for n, w in enumerate(told) if w.norm in STEERS), len(told))
-        spans = (w.span for w in told[at:] if w.span is not None and w.span.kind == "actor")
-        kind = next((s.data["type"] for s in spans), "")
-        return kind in VEHICLES - {"vehicle"} and all(e.type not in (kind, "vehicle") for e in self.entities)
-
-    def _same_party(self, noun: str) -> Entity | None:
-        """Who was called so before, where the word for a party stands like a name: "that respondent, who ..."."""
-        return next((e for e in self.entities if noun in OWNERS and noun in (e.noun, *e.names)), None)
 
     def _own_vehicle(self, word: Word, owner: Entity, kind: str) -> bool:
         """Whether it is what somebody at the wheel drives: "his car", after "Mr Hansen was driving"."""

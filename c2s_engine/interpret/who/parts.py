@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import PERSONS, VEHICLES, Entity
-from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.strangers import Strangers
 
 DRIVING = language.words("driving")
@@ -23,23 +22,6 @@ class Parts(Strangers):
         """Whether ego speaks of itself: "I", "we", "our"."""
         first = ("i", "we", "me", "us", "my", "our")
         return any(self.words[m.word].norm in first for m in self.ego.mentions)
-
-    def _driver_named(self, word: Word) -> Entity | None:
-        """The vehicle that stands before its driver: "the minibus driver"."""
-        known = [self.of[c] for c in word.children if self.words[c].dep == "compound" and c in self.of]
-        if known:
-            return known[0]
-        spans = [s for c in word.children if self.words[c].dep == "compound" and (s := self.words[c].span) is not None]
-        nouns = {s.data.get("noun") for s in spans if s.kind == "actor"}
-        return next((e for e in (self.ego, *self.entities) if e.noun and e.noun in nouns), None)
-
-    def _who_drove(self, word: Word) -> Entity | None:
-        """ "A truck overtook us. The driver ...": the driver is who was spoken of last, where ego says "I"."""
-        if not any(self.words[c].norm in ("the", "this", "that") for c in word.children):
-            return None
-        spoken = [e for i, e in self.subjects if i < word.i and e.type in VEHICLES and not e.ego]
-        there = {e for i, e in self.of.items() if i < word.i and e.type in VEHICLES and not e.ego}
-        return spoken[-1] if spoken else next(iter(there)) if len(there) == 1 else None
 
     def referent(self, i: int, depth: int = 0) -> Entity | None:
         """Whom a noun means: itself, or the whole that it is a part of ("the driver of V1", "its left front")."""
@@ -104,14 +86,10 @@ class Parts(Strangers):
                             found = self.referent(target, depth + 1)
                             if found:
                                 return found
-            if (named := self._driver_named(word)) is not None:
-                return named
             if word.lemma in ("driver", "operator") and any(
                 self.words[c].norm in ("other", "another") for c in word.children
             ):
-                return self._other_driver(word)
-            if word.lemma in ("driver", "operator") and self._first_person() and (who := self._who_drove(word)):
-                return who
+                return None
             if word.lemma in ("driver", "operator", "system", "passenger", "feature") or word.norm == "brakes":
                 return self.ego if word.lemma != "passenger" else None
         if word.tag.startswith("NN") and word.span is None:

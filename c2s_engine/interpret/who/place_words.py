@@ -4,14 +4,10 @@ from __future__ import annotations
 
 import re
 
-from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, Entity
-from c2s_engine.interpret.reading.motions import irregular
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.members import Members
 
-HAS = language.words("has_before_one") | language.words("notices") | {"see", "find", "detect", "carry"}
-PLACES = ("ahead", "front", "behind", "beside", "alongside", "in", "at", "to", "on", "next")
 BESIDE = re.compile(r"(to|on|in|at) (left|right|front|rear)\b")
 PLACED_BY = re.compile(r"\b(?:in front|ahead) of(?: the)?$")
 
@@ -29,29 +25,6 @@ class PlaceWords(Members):
             i for i, text in zip(near, places, strict=True) if self.of[i] is not self.ego or not PLACED_BY.search(text)
         ]
         return kept or near
-
-    def _object_of(self, verb: Word, before: int) -> Entity | None:
-        """Whom a verb has for its object before a word."""
-        found = [c for c in verb.children if self.words[c].dep == "dobj" and c < before]
-        return self.of.get(found[-1]) if found else None
-
-    def _held_before(self, verb: Word, place: Word) -> Entity | None:
-        """Whom somebody has or sees beside itself: the van of "ego has a van ahead of it"."""
-        if not verb.verb or irregular().get(verb.norm, verb.lemma) not in HAS or place.norm not in PLACES:
-            return None
-        held = [c for c in verb.children if self.words[c].dep == "dobj" and verb.i < c < place.i]
-        return self.of.get(held[-1]) if held else None
-
-    def _parallel(self, word: Word) -> Entity | None:
-        """Whom "its" meant just before in the same place: "a bus is on its right, a car on its left"."""
-        if not BESIDE.match(self._around(word.i)):
-            return None
-        for earlier in reversed(self.words[: word.i]):
-            if earlier.sentence != word.sentence:
-                return None
-            if earlier.norm == word.norm and BESIDE.match(self._around(earlier.i)):
-                return self.of.get(earlier.i)
-        return None
 
     def _around(self, i: int) -> str:
         """The words before and after a word."""

@@ -7,7 +7,7 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import ORDINALS, URGENT, VEHICLES, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.owned import MOVES, Owned
+from c2s_engine.interpret.who.owned import Owned
 
 ANYBODY = language.words("anybody")
 """Nouns of no type by which ego may be meant, too: not "the target", "the attacker"."""
@@ -19,11 +19,6 @@ BOUND = language.words("bound")
 CARS = frozenset(("car", "vehicle", "van", "police_car"))
 TOLD_APART = frozenset(("oncoming", "crossing", "lead", "following", "cut_in", "adjacent", "adversary"))
 """Parts in the scene by which another one is meant, unless somebody had that part before."""
-
-
-def _alike(entity: Entity, kind: str) -> bool:
-    """Whether the first word of a longer name can stand for it: not "the dog" for a dog walker."""
-    return entity.type == kind or entity.type in VEHICLES and kind in VEHICLES
 
 
 ALL_OF_THEM = frozenset(("both", "the", "these", "all", "neither"))
@@ -55,9 +50,6 @@ class Reference(Owned):
         candidates = [e for e in candidates if True]
         coloured = [e for e in candidates if e.names & COLOURS & set(before)]
         candidates = coloured or candidates
-        short = [e for e in self.entities if e.noun.startswith(f"{noun} ") and e.count == count and _alike(e, kind)]
-        if short and (definite or bare) and not (roles or other or ordinal is not None):
-            return short[-1]  # "an auto rickshaw ... the auto"
         named = [e for e in candidates if noun in e.names and e.count == count and not e.person]
         if named and definite and not (roles or other or ordinal is not None) and noun not in ("vehicle", "car"):
             return named[-1]  # "the adversary, a sedan, comes ... the sedan"
@@ -95,7 +87,7 @@ class Reference(Owned):
             resting = [e for e in groups if plural and definite and "parked" in roles and self._is_at(e, "parked")]
             if resting:
                 return resting[-1]  # "three cars are parked there. One of the parked cars ..."
-            there = self._by_place(word, candidates) if definite and count == 1 else None
+            there = None if definite and count == 1 else None
             if there is not None:
                 return there
             if roles == {"following"} and definite and count == 1:
@@ -112,15 +104,13 @@ class Reference(Owned):
                     return towards[-1]
             if not definite and roles & {"stationary", "parked", "slow", "turning", "fast"}:
                 return None
-            if self._ego_moving(roles, kind, definite):
-                return self.ego
             if roles & TOLD_APART or not candidates:
                 return None
         second = any(self.words[m.word].norm in DRIVES_IT for m in self.ego.mentions)
         alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
         if second and alone and self.words[word.i - 1].norm == "the":
             return self.ego  # a driver is told what to do: "you will feel the car"
-        if alone and (self._run_by_its_own(word) or self._out_of_my_hand(word) or self._my_car(word)):
+        if alone and (self._out_of_my_hand(word)):
             return self.ego
         asks = any(self.words[c].norm in ("shall", "must") for c in self.words[word.head].children)
         if alone and asks and self.ego_named and word.dep == "nsubj":
@@ -132,10 +122,10 @@ class Reference(Owned):
             if asked and not generic and word.dep == "nsubj" and all(e.type in URGENT for e in candidates):
                 return None  # "when an ambulance approaches, the vehicle shall clear the lane"
             if not generic and (len(candidates) != 1 or not plain):
-                return self._struck_by(word, plain, MOVES)
+                return None
         if bare and not roles and self._distinguished(word):
-            there = self._by_place(word, candidates) if count == 1 else None  # "car in front stops. Car in front moves"
-            return there or (self._in_a_note(word, noun, candidates) if count == 1 else None)
+            there = None if count == 1 else None  # "car in front stops. Car in front moves"
+            return there or (None if count == 1 else None)
         if bare and not roles:
             called = (e for e in reversed(candidates) if e.noun == noun or e.noun.endswith(f" {noun}"))
             same = next(called, None)
@@ -159,15 +149,13 @@ class Reference(Owned):
             return next(iter(numbered + unnumbered), None)
         if ordinal is not None and len(candidates) > 1 and ordinal < len(candidates):
             return candidates[ordinal]
-        led = self._told_ahead(word, candidates) if noun == "vehicle" and count == 1 else None
+        led = None if noun == "vehicle" and count == 1 else None
         if led is not None:
             return led  # "a van is ahead of ego. The vehicle ahead brakes"
-        if definite and count == 1 and not other and (there := self._by_place(word, candidates)) is not None:
-            return there
         alike = kind == "rider" or any(e.noun == noun or e.type == kind for e in candidates)
         if self._distinguished(word) and not alike:
             return None
-        if self._distinguished(word) and kind in ("vehicle", "car") and not self._matching_relation(word, candidates):
+        if self._distinguished(word) and kind in ("vehicle", "car"):
             return None if candidates else None
         if count > 1:
             many = [e for e in candidates if e.count > 1 and "group" not in e.roles]
@@ -185,9 +173,7 @@ class Reference(Owned):
                 return self._all_of(word, sorted(singles[-count:], key=lambda e: (e.ego, e.mentions[0].word)))
             return None
         scored = []
-        centre = self._centre(word, noun)
         never = kind == "vehicle" and noun in language.actor_nouns() and noun not in ANYBODY
-        never = never or self._told_by_a_part(word, noun)
         for entity in [
             *candidates,
             *(
@@ -200,28 +186,12 @@ class Reference(Owned):
             score += 2 if entity.noun == noun and not (entity.ego and self._ego_besides(noun)) else 0
             score += 1.5 if entity.ego and self._ego_by(noun) else 0
             score += 1 if entity.type == kind and not entity.ego else 0
-            score += 3 if entity is centre else 0
+            score += 3 if entity is None else 0
             score -= 0.5 if entity.count > 1 else 0
             scored.append((score, len(scored), entity))
         if not scored and kind == self.ego.type and self.ego.typed:
             return self.ego
         return max(scored)[2] if scored else None
-
-    def _in_a_note(self, word: Word, noun: str, candidates: list[Entity]) -> Entity | None:
-        """Who was told of with "a" in a sentence before, and on the same side of ego: "an ambulance approaches from
-        behind ... Test: ambulance 100 m behind"."""
-        same = [e for e in candidates if e.noun == noun and e.count == 1 and e.mentions]
-        first = self.words[same[0].mentions[0].word] if len(same) == 1 else word
-        if first.sentence >= word.sentence or not {"a", "an"} & {self.words[c].norm for c in first.children}:
-            return None
-        told = [self._side_of_ego(w) for w in (first, word)]
-        return same[0] if told[0] is not None and told[0] == told[1] else None
-
-    def _side_of_ego(self, word: Word) -> str | None:
-        """Whether the words after a noun say that it is behind or ahead."""
-        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 14] if w.sentence == word.sentence)
-        found = re.search(r"\b(?:(?P<behind>behind|from the rear)|(?P<ahead>ahead|in front))\b", after)
-        return found.lastgroup if found else None
 
     def _distinguished(self, word: Word) -> bool:
         """Whether the noun phrase goes on to say which one: "the car in front of it", "the van that ..."."""
@@ -234,24 +204,6 @@ class Reference(Owned):
                 return True
         after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 4] if w.sentence == word.sentence)
         return re.match(r"(?:in front|ahead|behind)\b(?! of\b)", after) is not None
-
-    def _told_ahead(self, word: Word, candidates: list[Entity]) -> Entity | None:
-        """Who was told to be ahead, where "the vehicle ahead" is spoken of."""
-
-        def after(i: int) -> str:
-            return " ".join(w.norm for w in self.words[i + 1 : i + 6] if w.sentence == self.words[i].sentence)
-
-        if not re.match(r"(?:in front|ahead)\b(?! of\b)", after(word.i)):
-            return None
-        told = re.compile(r"(?:\S+ ){0,3}?(?:in front|ahead)\b(?! of (?!it|ego|the ego|us|me|the (?:sv|vut|host)))")
-        return next(
-            (e for e in reversed(candidates) if not e.ego and any(told.match(after(m.word)) for m in e.mentions)), None
-        )
-
-    def _matching_relation(self, word: Word, candidates: list[Entity]) -> bool:
-        text = " ".join(w.norm for w in self.words[word.i : word.i + 8] if w.sentence == word.sentence)
-        ahead = re.search(r"ahead|in front", text)
-        return any(ahead and "ahead" in self._hints(e) for e in candidates)
 
     def _hints(self, entity: Entity) -> set[str]:
         """What the words after an entity's mentions say about its place, as far as reference needs it."""

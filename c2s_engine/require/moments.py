@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from c2s_engine.require.evidence import Evidence, Motion, stretches
+from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
 from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO
@@ -15,6 +15,8 @@ from c2s_engine.structure.specs import Phase
 
 OVER_LINE = ("cut_in", "cut_out", "lane_change")
 SLOWS = ("brake", "stop")
+SETS_OUT = ("enter_road", "cross_road", "move_along")
+"""What begins as somebody who stood sets out, long before it is seen on the road."""
 SIDEWAYS = (*OVER_LINE, "swerve", "drift")
 LANE = 3.5
 """m, of most maps' lanes."""
@@ -88,6 +90,8 @@ def onset(motion: Motion, action: str, time: float) -> float:
         while at > 0 and sign * motion.acceleration[at - 1] > rate:
             at -= 1
         return float(motion.time[at])
+    if action in SETS_OUT and (stood := np.flatnonzero(motion.speed[: at + 1] < STANDING)).size:
+        return float(motion.time[min(int(stood[-1]) + 1, at)])
     return time
 
 

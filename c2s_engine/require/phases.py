@@ -287,7 +287,7 @@ def at_distance(requirement: Requirement, evidence: Evidence) -> Result:
     least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
     if motion is None or other is None or time is None:
         return unknown(requirement, f"{most:g} m away", "not reached: it was not seen")
-    if str(v["action"]) in moments.SIDEWAYS:
+    if str(v["action"]) in (*moments.SIDEWAYS, *moments.SETS_OUT):
         time = moments.onset(motion, str(v["action"]), time)
     at, there = motion.at(time), other.at(time)
     if v["centres"]:

@@ -21,6 +21,7 @@ from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.specs import SPEC_OF, EgoSpec, ObjectSpec, Phase, Placement, Reference, Spec, Trigger
 from c2s_engine.write.typed import contradiction
+from c2s_engine.write.typed.contradictions import FITS
 
 CASES = yaml.safe_load((Path(__file__).parent / "offered.yaml").read_text(encoding="utf-8"))
 SILENT = "Somebody is at some spot."
@@ -217,6 +218,17 @@ def test_what_the_choice_beside_it_does_not_take_is_left_out_of_an_answer_and_sa
         "phases": [{"action": "brake", "gap": 5}, {"action": "collide", "part": "rear"}],
     }
     assert contradiction(Structure(text="", objects=(Component(id="O1", spec=ObjectSpec(**answer)),))) is None
+
+
+def test_the_forms_and_the_writer_agree_on_what_takes_a_field():
+    fields = offered.table()["fields"]
+    assert {n: tuple(fields["phases"][n]["with"]["action"]) for n in FITS} == FITS
+    for name in ("lateral", "arrives"):
+        for position in get_args(v.Position):
+            spec = ObjectSpec(placement=Placement(position=position, side="right", **{name: 1}))
+            found = contradiction(Structure(text="", objects=(Component(id="O1", spec=spec),)))
+            refused = found is not None and f"O.placement.{name}" in found.fields
+            assert refused == (position not in fields["placement"][name]["with"]["position"]), (name, position)
 
 
 @pytest.mark.parametrize(("said", "choices"), [("Ego hits a car.", "as part"), ("Ego follows a car.", "")])

@@ -3,22 +3,28 @@
 import json
 import random
 import re
+from pathlib import Path
 from typing import Any, Literal, get_args
 
 import pytest
+import yaml
 from pydantic import Field
 
-from c2s_engine.interpret.llm import prose, spoken
+from c2s_engine.interpret.llm import offered, prose, spoken
 from c2s_engine.interpret.llm.asking import prompt
 from c2s_engine.interpret.llm.components import ObjectSentence, Sentences, excerpt, instructions, sentences_schema
 from c2s_engine.interpret.llm.forms import Form, form_of
-from c2s_engine.interpret.llm.schema import accepts
+from c2s_engine.interpret.llm.schema import accepts, spec_schema
 from c2s_engine.interpret.llm.settings import settings_schema
 from c2s_engine.interpret.llm.units import annotate, quantities
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.specs import SPEC_OF, EgoSpec, ObjectSpec, Phase, Placement, Reference, Spec, Trigger
+from c2s_engine.write.typed import contradiction
+from c2s_engine.write.typed.contradictions import FITS
 
+CASES = yaml.safe_load((Path(__file__).parent / "offered.yaml").read_text(encoding="utf-8"))
+SILENT = "Somebody is at some spot."
 _FIELD = re.compile(r"(?:^|; )(\w+)(?: \(([^()]*)\))?(?=:|;|$)")
 
 
@@ -28,7 +34,7 @@ def drawn(seed: int) -> list[tuple[str, Form]]:
     kinds = [rng.choice(get_args(v.ObjectType)) for _ in range(rng.randint(0, 5))]
     objects = tuple(ObjectSentence(type=k, sentence=f"A {k}.", still=rng.random() < 0.3) for k in kinds)
     sentences = Sentences(place="A road.", ego="Ego drives.", objects=objects, restrictions="It ends.")
-    text = rng.choice(("", "Ego is a vehicle.tesla.model3."))
+    text = " ".join(case["says"] for case in CASES if rng.random() < rng.choice((0, 0.1, 1)))
     return [(cid, form_of(cid, text, sentences)) for cid in sentences.ids[1:]]
 
 
@@ -49,6 +55,8 @@ def prose_of(form: Form) -> list[tuple[int, str, list[str]]]:
             listed = field[2].split(", ") if field[2] else []
             if listed[:1] == ["as above"]:
                 listed = [*explained[field[1]], *listed[1:]]
+            elif beside := re.fullmatch(r"as (\w+)", ", ".join(listed)):
+                listed = next(choices for _, name, choices in reversed(found) if name == beside[1])
             found.append((len(mark[1]), field[1], listed))
     return found
 
@@ -119,7 +127,7 @@ def test_forms_of_what_never_moves_ask_for_no_motion():
 
 
 def test_nothing_is_forced_where_nobody_else_is_there():
-    form = form_of("E", "", Sentences(ego="Ego drives."))
+    form = form_of("E", "It moves off 2 s later.", Sentences(ego="Ego drives."))
     trigger = form.schema["properties"]["phases"]["items"]["properties"]["trigger"]["properties"]
     assert trigger["kind"]["enum"] == ["time", "place"] and list(trigger) == ["kind", "value", "place", "delay"]
     assert accepts(form.schema, {}) == "" and accepts(form_of("R", "", Sentences()).schema, {}) == ""
@@ -132,6 +140,103 @@ def test_a_long_report_is_shown_in_its_part():
     shown = excerpt(report, "A van pulls out from the kerb.")
     assert "kerb" in shown and "pulled out" in shown and "witness" not in shown and len(shown) < 240
     assert excerpt("It rains.", "anything") == "It rains."
+
+
+def asked(case: dict[str, Any], says: str) -> set[str]:
+    """`container.field` and `field=choice` of the form that a case is about, for such a text."""
+    others = tuple(ObjectSentence(type="van", sentence="A van.") for _ in range(case.get("others", 0)))
+    told = ObjectSentence(type=case.get("type", "car"), sentence=SILENT)
+    form = form_of(case.get("of", "O1"), says, Sentences(place=SILENT, ego=SILENT, objects=(told, *others)))
+    return offers_of(form.schema)
+
+
+def offers_of(schema: dict[str, Any], within: str = "form") -> set[str]:
+    found: set[str] = set()
+    for name, node in schema["properties"].items():
+        inner = node.get("items", node)
+        found |= {f"{within}.{name}", *(f"{name}={c}" for c in inner.get("enum", ()))}
+        if "properties" in inner:
+            found |= offers_of(inner, name)
+    return found
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda c: c["says"][:40])
+def test_a_field_is_offered_where_a_text_says_such_a_thing(case):
+    assert set(case["offers"]) <= asked(case, case["says"])
+
+
+def test_what_is_offered_only_where_it_applies_is_not_where_a_text_says_nothing_of_it():
+    table = offered.table()
+    rare = {f"{within}.{name}" for within, fields in table["fields"].items() for name in fields}
+    rare |= {f"{name}={choice}" for name, choices in table["choices"].items() for choice in choices}
+    assert rare <= {o for case in CASES for o in case["offers"]}, "each has a text that says such a thing"
+    for case in CASES:
+        assert not rare & asked(case, SILENT), case["says"]
+    groups = [g for f in table["fields"].values() for n in f.values() for g in n["said"]]
+    groups += [g for choices in table["choices"].values() for named in choices.values() for g in named]
+    assert set(groups) == set(table["groups"])
+
+
+@pytest.mark.parametrize("kind", ["R", "E", "O", "T"])
+def test_every_field_and_choice_of_the_specs_is_offered_by_some_form(kind):
+    """On a text that says of everything something: none is out of reach."""
+    text = " ".join(case["says"] for case in CASES)
+    types = get_args(v.ObjectType)
+    reached: set[str] = set()
+    for type_ in types if kind == "O" else ("car",):
+        told = (ObjectSentence(type="van", sentence="A van."), ObjectSentence(type=type_, sentence="It is there."))
+        told += tuple(ObjectSentence(type=t, sentence="It is there.") for t in ("pedestrian", "bicycle"))
+        sentences = Sentences(place="A road.", ego="Ego drives.", objects=told, restrictions="It ends.")
+        reached |= offers_of(form_of("O2" if kind == "O" else kind, text, sentences).schema)
+    whole = offers_of(spec_schema(kind, ["ego", "O1", "O2", "O3", "O4"]))
+    whole.discard("require.action")  # at the start nothing has been done
+    references = {f"{n}={c}" for n in ("of", "target", "hidden_by", "subject", "other", "react_to")
+                  for c in ("ego", "O1", "O2", "O3", "O4")}  # fmt: skip
+    assert whole - references <= reached
+
+
+@pytest.mark.parametrize(
+    ("type_", "without"),
+    [
+        ("pedestrian", {"phases.lateral_speed", "phases.abandoned"}),
+        ("cone", {"placement.arrives", "placement.hidden_by", "phases.action"}),
+    ],
+)
+def test_a_field_comes_only_with_what_takes_it(type_, without):
+    text = " ".join(case["says"] for case in CASES)
+    assert not without & asked({"type": type_}, text)
+
+
+def test_what_the_choice_beside_it_does_not_take_is_left_out_of_an_answer_and_said():
+    answer = {
+        "placement": {"position": "ahead", "gap": 20, "lateral": 1.5},
+        "phases": [{"action": "brake", "gap": 5, "part": "front"}, {"action": "collide", "part": "rear"}],
+    }
+    assert offered.untaken(answer) == ["lateral 1.5", "part front"]
+    assert answer == {
+        "placement": {"position": "ahead", "gap": 20},
+        "phases": [{"action": "brake", "gap": 5}, {"action": "collide", "part": "rear"}],
+    }
+    assert contradiction(Structure(text="", objects=(Component(id="O1", spec=ObjectSpec(**answer)),))) is None
+
+
+def test_the_forms_and_the_writer_agree_on_what_takes_a_field():
+    fields = offered.table()["fields"]
+    assert {n: tuple(fields["phases"][n]["with"]["action"]) for n in FITS} == FITS
+    for name in ("lateral", "arrives"):
+        for position in get_args(v.Position):
+            spec = ObjectSpec(placement=Placement(position=position, side="right", **{name: 1}))
+            found = contradiction(Structure(text="", objects=(Component(id="O1", spec=spec),)))
+            refused = found is not None and f"O.placement.{name}" in found.fields
+            assert refused == (position not in fields["placement"][name]["with"]["position"]), (name, position)
+
+
+@pytest.mark.parametrize(("said", "choices"), [("Ego hits a car.", "as part"), ("Ego follows a car.", "")])
+def test_choices_that_two_fields_share_are_listed_once(said, choices):
+    told = (ObjectSentence(type="car", sentence="A car."),)
+    told_of = {name: c for _, name, c in prose_of(form_of("E", said, Sentences(ego=said, objects=told)))}
+    assert (f"target_part ({choices})" in form_of("E", said, Sentences(ego=said, objects=told)).system) == bool(choices)
+    assert told_of.get("target_part", []) == (list(get_args(v.Part)) if choices else [])
 
 
 class _Contact(Spec):

@@ -56,10 +56,14 @@ def prompts(name: str) -> dict[str, str]:
 
 
 def forms() -> dict[str, str]:
-    """The instructions of the typed method's forms: a vehicle's (O1), a person's (O2), a thing's (O3)."""
+    """The instructions of the typed method's forms: a vehicle's (O1), a person's (O2), a thing's (O3), for a text that
+    says nothing, and those for a text that says something of everything (`all`)."""
     kinds = ("car", "pedestrian", "cone")
     sentences = Sentences(objects=tuple(ObjectSentence(type=k, sentence=f"A {k}.") for k in kinds))
     told = {cid: form_of(cid, "", sentences).system for cid in sentences.ids[1:]}
+    cases = yaml.safe_load((Path(__file__).parents[1] / "models" / "offered.yaml").read_text(encoding="utf-8"))
+    everything = " ".join(case["says"] for case in cases)
+    told |= {f"{cid} all": form_of(cid, everything, sentences).system for cid in sentences.ids[1:]}
     detector = prompt("settings", weather=words.lines("weather"), times=words.lines("times"))
     return {"components": instructions(), "G": detector, **told}
 

@@ -1,16 +1,16 @@
 """The form of one component: the JSON schema of its answer, and the instructions that are made from that schema."""
 
-import re
 from typing import Any, NamedTuple, get_args
 
 from c2s_engine.interpret.llm import prose, words
 from c2s_engine.interpret.llm.asking import prompt
 from c2s_engine.interpret.llm.components import Sentences
+from c2s_engine.interpret.llm.offered import offer
 from c2s_engine.interpret.llm.schema import spec_schema
+from c2s_engine.interpret.llm.units import plain
 from c2s_engine.structure import vocabulary as v
 
 Schema = dict[str, Any]
-BLUEPRINT_WORD = re.compile(r"\b(?:vehicle|walker)\.\w+")
 AT_THE_START = ("distance", "visible", "not_visible")
 _THINGS_STAND = {
     "ahead", "left_lane", "right_lane", "oncoming_lane", "roadside", "sidewalk", "partly_in_lane", "intersection_exit",
@@ -28,23 +28,24 @@ class Form(NamedTuple):
 def form_of(cid: str, text: str, sentences: Sentences) -> Form:
     """The form of a component other than G among the others of a text."""
     others = [o for o in sentences.ids if o.startswith("O") and o != cid]
-    named: dict[str, list[str]] = {"model": []} if BLUEPRINT_WORD.search(text) else {}
     kinds = {o: sentences.objects[int(o[1:]) - 1].type for o in others}
     earlier = [o for o in others if cid.startswith("O") and int(o[1:]) < int(cid[1:])]
     kind = cid[0]
     if kind == "O":
         told = sentences.objects[int(cid[1:]) - 1]
         kind = "thing" if words.is_thing(told.type) else "O"
-        schema = _thing(told.type, earlier) if kind == "thing" else _road_user(told.type, others, earlier, kinds, named)
+        schema = _thing(told.type, earlier) if kind == "thing" else _road_user(told.type, others, earlier, kinds)
         if told.still:
             for name in ("speed", "phases"):
                 schema["properties"].pop(name, None)
     elif kind == "E":
-        schema = _ego(others, kinds, named)
+        schema = _ego(others, kinds)
     elif kind == "T":
         schema = _restrictions(["ego", *others])
     else:
         schema = spec_schema("R", ["ego", *others])
+    types = (o.type.replace("_", " ") for o in sentences.objects)
+    offer(schema, plain(" ".join((text, *map(sentences.of, sentences.ids), *types))))
     system = prompt(
         "fill", about=prose.table()[kind]["about"], fields=prose.fields(kind, schema),
         examples=prose.examples(kind, schema, others, earlier),
@@ -52,8 +53,8 @@ def form_of(cid: str, text: str, sentences: Sentences) -> Form:
     return Form(system, schema)
 
 
-def _ego(others: list[str], kinds: dict[str, str], named: dict[str, list[str]]) -> Schema:
-    schema = spec_schema("E", others, allowed={"action": words.all_actions(), **named})
+def _ego(others: list[str], kinds: dict[str, str]) -> Schema:
+    schema = spec_schema("E", others, allowed={"action": words.all_actions()})
     _phases(schema, words.actions_for("vehicle"), kinds)
     return schema
 
@@ -70,19 +71,17 @@ def _thing(type_: str, earlier: list[str]) -> Schema:
     types = [t for t in get_args(v.ObjectType) if words.is_thing(t)]
     where = [p for p in get_args(v.Position) if p in _THINGS_STAND]
     schema = spec_schema("O", ["ego", *earlier], allowed={"type": types, "position": where})
-    for name in ("phases", "speed", *(["limit"] if type_ != "speed_sign" else [])):
+    for name in ("phases", "speed", "model", *(["limit"] if type_ != "speed_sign" else [])):
         del schema["properties"][name]
-    _placement(schema, earlier, ("along", "facing", "hidden_by"))
+    _placement(schema, earlier, ("along", "facing", "hidden_by", "arrives"))
     return schema
 
 
-def _road_user(
-    type_: str, others: list[str], earlier: list[str], kinds: dict[str, str], named: dict[str, list[str]]
-) -> Schema:
+def _road_user(type_: str, others: list[str], earlier: list[str], kinds: dict[str, str]) -> Schema:
     person = type_ in words.PERSONS
     types = [t for t in get_args(v.ObjectType) if not words.is_thing(t) and (t in words.PERSONS) == person]
     where = [p for p in get_args(v.Position) if not person or p not in _NO_PERSONS]
-    schema = spec_schema("O", ["ego", *others], allowed={"type": types, "position": where, **named})
+    schema = spec_schema("O", ["ego", *others], allowed={"type": types, "position": where})
     del schema["properties"]["limit"]
     _placement(schema, earlier, ())
     _phases(schema, words.actions_for(type_), {"ego": "car", **kinds})

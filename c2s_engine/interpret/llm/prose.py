@@ -39,6 +39,7 @@ def _lines(
     """`explained`: the choices that were explained so far, by their field; `known`: what the classes say."""
     rows: list[str] = []
     joins = False
+    listed: dict[str, list[Any]] = {}
     for name, node in properties.items():
         meaning, inner, choices = told[name], _object_in(node), _choices(node)
         section = meaning.get("words", "") if isinstance(meaning, dict) else ""
@@ -54,8 +55,9 @@ def _lines(
             rows += [row.replace("- ", " ", 1) for row in words.lines(section, choices).splitlines()]
             explained[name] = choices
         else:
-            listed = f" ({_listed(choices, explained.get(name, []))})" if choices else ""
-            row = f"{name}{listed}{f': {plain}' if plain else ''}"
+            these = f" ({_listed(choices, explained.get(name, []), listed)})" if choices else ""
+            listed[name] = choices
+            row = f"{name}{these}{f': {plain}' if plain else ''}"
             if joins and mark != "- ":
                 rows[-1] += f"; {row}"
             else:
@@ -64,11 +66,13 @@ def _lines(
     return rows
 
 
-def _listed(choices: list[Any], explained: list[Any]) -> str:
-    """The choices; where all that were explained before are among them, those as such and the others by name."""
+def _listed(choices: list[Any], explained: list[Any], listed: Mapping[str, list[Any]]) -> str:
+    """The choices; where all that were explained before are among them, those as such and the others by name; where a
+    field beside it has the same, as that one's."""
     if len(choices) >= MANY and explained and set(explained) <= set(choices):
         return ", ".join(["as above", *(c for c in choices if c not in explained)])
-    return ", ".join(map(str, choices))
+    same = next((name for name, others in listed.items() if others == choices), "")
+    return f"as {same}" if same and len(choices) >= MANY else ", ".join(map(str, choices))
 
 
 def _object_in(node: dict[str, Any]) -> dict[str, Any] | None:

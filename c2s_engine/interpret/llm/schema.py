@@ -1,8 +1,7 @@
 """The JSON schemas that a model's answers are held to: made from the specs, small, closed, with bounds.
 
 Beyond pydantic's own schema: references are inlined, optional fields are left out instead of null, references are
-limited to the objects that there are, numbers have the bounds of data/models.yaml, and fields that a text fills only
-by naming something (a blueprint, a map) are offered only where it does.
+limited to the objects that there are, and numbers have the bounds of data/models.yaml.
 """
 
 from collections.abc import Iterable
@@ -18,7 +17,8 @@ from c2s_engine.structure.specs import SPEC_OF, Reference
 _REFERENCE = next(m.pattern for m in get_args(Reference)[1].metadata if hasattr(m, "pattern"))
 ASKED = {"G": (), "R": (), "E": (), "O": ("name", "type", "placement"), "T": ()}
 """The fields that every answer must have."""
-NAMED_ONLY = {"model", "parameters", "preset", "map"}
+NOT_ASKED = {"parameters", "preset", "map"}
+"""Settings that no form of a spec asks for: the detector does."""
 
 
 @cache
@@ -82,7 +82,7 @@ def _node(node: dict[str, Any], defs: dict[str, Any], name: str, ids: tuple[str,
 
 
 def _object(node: dict[str, Any], defs: dict, ids: tuple[str, ...], allowed: dict) -> dict[str, Any]:
-    names = [n for n in node.get("properties", {}) if n != "component" and (n not in NAMED_ONLY or n in allowed)]
+    names = [n for n in node.get("properties", {}) if n != "component" and n not in NOT_ASKED]
     names = [n for n in names if not _refers(node["properties"][n]) or _referable(n, ids)]
     properties = {n: _node(node["properties"][n], defs, n, ids, allowed) for n in names}
     schema: dict[str, Any] = {"type": "object", "properties": properties, "additionalProperties": False}

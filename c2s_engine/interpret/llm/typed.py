@@ -14,6 +14,7 @@ from c2s_engine.interpret.llm import fallback, spoken, words
 from c2s_engine.interpret.llm.asking import Asker, OnEvent, prompt
 from c2s_engine.interpret.llm.components import Sentences, excerpt, link, read_components
 from c2s_engine.interpret.llm.forms import form_of
+from c2s_engine.interpret.llm.offered import untaken
 from c2s_engine.interpret.llm.schema import spec_class
 from c2s_engine.interpret.llm.settings import BLUEPRINT, Detected, detect
 from c2s_engine.interpret.llm.units import annotate
@@ -174,6 +175,7 @@ def _builder(cid: str, still: bool = False) -> Callable[[dict[str, Any]], tuple[
         if still and not words.is_thing(value["type"]):
             value["speed"] = 0
         unmet = (Unmet(text=left, reason="the form has no field for it"),) if left.strip() else ()
+        unmet += tuple(Unmet(text=said, reason="what it stands beside does not take it") for said in untaken(value))
         return spec_class(cid[0]).model_validate(value), unmet  # type: ignore[return-value]
 
     return build

@@ -4,7 +4,7 @@
 #   - traffic already in the rotary has priority
 #   - a car is already in the roundabout
 #   - a car drives round the circle and comes from my left
-# positions: [crossing_left]
+# positions: [circulating]
 # actions: [keep_lane]
 # types: [car]
 # hosts: [R/roundabout_entry]

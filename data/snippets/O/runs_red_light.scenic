@@ -9,8 +9,9 @@
 # types: [car]
 # hosts: [R/intersection_signalised]
 # ---
-violations = filter(lambda c: c.type is ManeuverType.STRAIGHT and c.startLane.road is not egoManeuver.startLane.road, egoManeuver.conflictingManeuvers)
+violations = filter(lambda c: c.type is ManeuverType.STRAIGHT, egoManeuver.conflictingManeuvers)
 violation = Uniform(*violations)
+require violation.startLane.road is not egoManeuver.startLane.road
 violatorSpot = new OrientedPoint following roadDirection from violation.startLane.centerline[-1] for -25
 
 behavior RunsRed(path, speed):

@@ -6,9 +6,9 @@
 # places: [intersection]
 # manoeuvres: [straight]
 # ---
-crossable = [m for i in network.intersections if i.is4Way for m in i.maneuvers if m.type is ManeuverType.STRAIGHT]
-egoManeuver = Uniform(*crossable)
-sideManeuver = Uniform(*filter(lambda c: c.type is ManeuverType.STRAIGHT and c.startLane.road is not egoManeuver.startLane.road, egoManeuver.conflictingManeuvers))
+over = [m for i in network.intersections if i.is4Way for m in i.maneuvers if m.type is ManeuverType.STRAIGHT]
+crossing = Uniform(*[(m, c) for m in over for c in m.conflictingManeuvers if c.type is ManeuverType.STRAIGHT and c.startLane.road is not m.startLane.road])
+egoManeuver, sideManeuver = crossing[0], crossing[1]
 egoLane = egoManeuver.startLane
 egoPath = [egoManeuver.startLane, egoManeuver.connectingLane, egoManeuver.endLane]
 egoSpot = new OrientedPoint following roadDirection from egoLane.centerline[-1] for -35

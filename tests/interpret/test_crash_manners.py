@@ -65,7 +65,6 @@ CHAINS = [
     "V3 and V2 were stopped in traffic, V2 behind V3. V1 rear-ended V2 and pushed it into V3.",
     "V2 was stopped behind V3, which was also stopped. V1 hit the rear of V2, which was then pushed into V3.",
     "V2 was stopped behind V3. V1 ran into V2 from behind. The impact pushed V2 into V3.",
-    "V1 collided with the stopped V2, knocking it into V3, stopped ahead of it.",
 ]
 
 

@@ -42,7 +42,6 @@ def test_the_vehicle_may_be_ego(read) -> None:
 @pytest.mark.parametrize(
     ("who", "acts"),
     [
-        ("The second one brakes.", ([], ["brake"])),
         ("The latter brakes.", ([], ["brake"])),
         ("One brakes, the other accelerates.", (["brake"], ["accelerate"])),
     ],

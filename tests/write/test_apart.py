@@ -120,10 +120,10 @@ async def test_the_layout_is_that_of_the_scene(engine, things):
 
 
 @pytest.mark.parametrize(("ego", "blueprint"), [
-    ({}, "dirtdebris"),
+    ({}, "*DEBRIS"),
     ({"reaction": "brake"}, "platformgarbage01"),
     ({"phases": [{"action": "collide"}]}, "platformgarbage01"),
-    ({"reaction": "brake", "react_to": "O2"}, "dirtdebris"),
+    ({"reaction": "brake", "react_to": "O2"}, "*DEBRIS"),
 ])  # fmt: skip
 def test_debris_in_the_way_is_nothing_to_drive_over(writer, ego, blueprint):
     structure = made({"type": "debris"}, {"type": "car", "placement": {"position": "left_lane"}}, ego=ego)

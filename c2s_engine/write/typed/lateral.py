@@ -25,7 +25,7 @@ def sideways(metres: float, shift: float) -> float:
 
 def to_line(kind: str, phase: Phase) -> float:
     """s from the beginning of a phase until the side of a vehicle of a kind comes over the lane line."""
-    return sideways((LANE - WIDTH[kind]) / 2, shift_of(phase)) + ANSWERS if phase.action in LATERAL else 0.0
+    return sideways(max((LANE - WIDTH[kind]) / 2, 0.0), shift_of(phase)) + ANSWERS if phase.action in LATERAL else 0.0
 
 
 def shift_of(phase: Phase) -> float:

@@ -66,6 +66,8 @@ def _in_lane(scene: Scene, actor: str, phase: Phase) -> bool:
     whom = scene.objects.get(_whom(scene, actor, phase))
     own = scene.objects.get(actor)
     both = [o for o in (own, whom) if o is not None]
+    if not both:
+        return False
     clears = whom is not None and any(p.action in ELSEWHERE[1:] for p in whom.phases)
     last = both[0] if len(both) == 1 else max(both, key=lambda o: list(scene.objects.values()).index(o))
     return last.placement.position in ("ahead", "behind") and last.placement.facing != "against" and not clears

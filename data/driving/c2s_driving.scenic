@@ -205,6 +205,8 @@ def lead_to_touch(points, own, spot, strikes, others, far, other_spot, struck, l
     two = along_way(others, slowed + 0 * leads)
     hit = overlapping(one, strikes.size, two, struck.size)
     met = numpy.flatnonzero(hit.any(axis=1))
+    if not len(met):  # they pass each other there, whenever they come
+        return 0
     when = hit.argmax(axis=1)[met]
     one, two = [(here[met, when], along[met, when]) for here, along in (one, two)]
     turned = one[1][:, 0] * two[1][:, 1] - one[1][:, 1] * two[1][:, 0]

@@ -138,7 +138,7 @@ def test_kill_nine_loses_no_turn_and_at_most_a_second_of_typing(terminal):
     terminal.start("work")
     screen = terminal.shows("and then it half")
     assert "cuts in" in screen
-    terminal.shows("seen")
+    terminal.shows("met")
     assert "localPath('town.xodr')" in terminal.shows("localPath")
 
 

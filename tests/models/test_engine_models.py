@@ -184,7 +184,7 @@ async def test_what_the_run_does_not_show_goes_back_and_is_kept_where_it_helps(s
         assert any(o.shows("brake_hard") for f in done.facts for o in f.objects)
         assert any("it now shows 100% of what is said" in n for n in notes(events))
         assert done.details["tokens"] > plain.details["tokens"]
-        late = soon = {**soon, "phases": [{"action": "u_turn"}]}  # now nothing that it changes can help
+        late = soon = {**soon, "phases": [{"action": "swerve"}]}  # now nothing that it changes can help
         server.requests.clear()
         events, kept = await events_of(engine.generate(text, improve=True))
         assert kept.ok and "100 seconds" in [u.text for u in kept.structure["O1"].unmet], "the first answer is kept"

@@ -53,7 +53,8 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     if hit or strikers and (spec.react_to in strikers or len(strikers) == len(cids)):  # it brakes, but too late
         return _too_late(actor, statements, cids, hit, spec.hard)
     cids = [c for c in cids if c not in strikers]
-    threats = once_seen(actor.structure, [spec.react_to] if spec.react_to in actor.structure else cids)  # type: ignore[list-item]
+    named = spec.react_to is not None and spec.react_to in actor.structure
+    threats = once_seen(actor.structure, [spec.react_to] if spec.react_to and named else cids)
     forced = {p.action for p in spec.phases if p.trigger is None}
     limit, rate = (3.5, HARD) if spec.hard else (2.5, SOFT)
     if "stop" in forced and any(_position(actor.structure, c) in APPROACH_ANGLE for c in cids):

@@ -11,7 +11,16 @@ from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.pockets import pocket_name
 from c2s_engine.write.typed.spot import Spot, measured, member, position_constant
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME, LENGTH, WORKS, is_vehicle, is_walker
+from c2s_engine.write.typed.tables import (
+    APPROACH_ANGLE,
+    APPROACH_NAME,
+    LANE_NAME,
+    LENGTH,
+    WORKS,
+    is_static,
+    is_vehicle,
+    is_walker,
+)
 from c2s_engine.write.typed.usual import right_behind, speed_of, turn_of
 
 
@@ -184,7 +193,8 @@ def _on_ramp(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
     loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
     at = f"-({member(spec, name)})" if spec.count > 1 else f"-{name}"
     start = f"{scope.number(stations.to_merge(spec, plan))}  # m"
-    if spec.placement.gap is None and plan.place.kind != "on_ramp" and middle(speed_of(spec, plan.place)) > 0:
+    drives = not is_static(spec) and middle(speed_of(spec, plan.place)) > 0
+    if spec.placement.gap is None and plan.place.kind != "on_ramp" and drives:
         metres, before_end = ahead.merging(structure, cid)
         own = f"{scope.constant(structure, cid)}_SPEED"
         end = f", before_end={scope.number(before_end)}" if before_end is not None else ""

@@ -14,7 +14,7 @@ from c2s_engine.require.due import arrival, to_meet
 from c2s_engine.require.evidence import Evidence, Motion
 from c2s_engine.require.geometry import post_encroachment, time_to_collision
 from c2s_engine.require.outcome import struck as struck_pairs
-from c2s_engine.require.results import scored, unknown
+from c2s_engine.require.results import between, scored, span, unknown, words
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import EGO
@@ -157,9 +157,9 @@ def threatens(requirement: Requirement, evidence: Evidence) -> Result:
     pet, ttc = min((p for p, _ in nearest), default=np.inf), min((t for _, t in nearest), default=np.inf)
     margin = max((limits["pet"]["value"] - pet) / limits["pet"]["value"],
                  (limits["ttc"]["value"] - ttc) / limits["ttc"]["value"])  # fmt: skip
-    words = [f"{name} {value:.1f} s" for name, value in (("PET", pet), ("TTC", ttc)) if np.isfinite(value)]
+    near = [f"{name} {value:.1f} s" for name, value in (("PET", pet), ("TTC", ttc)) if np.isfinite(value)]
     due = _due(other.motion(requirement.actor), ego) if margin < 0 else None
-    return scored(requirement, max(-1.0, margin), said, ", ".join(words) or "their ways do not meet", due=due)
+    return scored(requirement, max(-1.0, margin), said, ", ".join(near) or "their ways do not meet", due=due)
 
 
 def _due(one: Motion | None, ego: Motion | None) -> float | None:
@@ -168,18 +168,15 @@ def _due(one: Motion | None, ego: Motion | None) -> float | None:
 
 def arrives_where_ways_meet(requirement: Requirement, evidence: Evidence) -> Result:
     """Measured where ego does not react, by when each first is where the other's body will be or has been."""
-    v, room = requirement.values, bounds()["conflict"]["together"]["value"]
-    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
-    said = f"{least:g} s after ego" if least == most else f"{least:g} to {most:g} s after ego"
+    (least, most), said = span(requirement), f"{words(requirement, 's')} after ego"
     run = evidence.without or evidence
     one, ego = run.motion(requirement.actor), run.motion(EGO)
     seen = arrival(one, ego) if one and ego else None
     if seen is None:
         return scored(requirement, -1.0, said, "their ways do not meet")
-    off = max(least - seen, seen - most, 0.0)
     due = round(least - seen if seen < least else most - seen, 2)
-    within = (seen, least - room, most + room)
-    return scored(requirement, 1.0 - off / room, said, f"{seen:.1f} s", measured=within, due=due)
+    room = bounds()["conflict"]["together"]["value"]
+    return between(requirement, seen, room, said, f"{seen:.1f} s", due=due)
 
 
 def _unhindered(actor: str, other: Evidence, evidence: Evidence) -> Motion | None:

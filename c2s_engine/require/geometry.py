@@ -14,6 +14,12 @@ def face(point: tuple[float, float], size: tuple[float, float]) -> str:
     return "left" if left > 0 else "right"
 
 
+def lead(of: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """m by which the other's middle is ahead of one's, along that one's heading; poses (..., [x, y, heading])."""
+    dx, dy = other[..., 0] - of[..., 0], other[..., 1] - of[..., 1]
+    return -np.sin(of[..., 2]) * dx + np.cos(of[..., 2]) * dy
+
+
 def touching(a: np.ndarray, b: np.ndarray, size_a: tuple[float, float], size_b: tuple[float, float]) -> np.ndarray:
     """Whether boxes at poses (..., [x, y, heading]) overlap; the poses are broadcast, sizes are (length, width)."""
     dx, dy = b[..., 0] - a[..., 0], b[..., 1] - a[..., 1]

@@ -4,9 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from c2s_engine.require.evidence import STANDING, Evidence, Motion
-from c2s_engine.require.geometry import box_distance
-from c2s_engine.require.results import scored, unknown
+from c2s_engine.require.evidence import STANDING, Evidence
+from c2s_engine.require.geometry import box_distance, lead
+from c2s_engine.require.results import between, scored, span, unknown, words
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
@@ -73,10 +73,6 @@ def _in_lane(scene: Scene, actor: str, phase: Phase) -> bool:
     return last.placement.position in ("ahead", "behind") and last.placement.facing != "against" and not clears
 
 
-def _half(motion: Motion) -> float:
-    return bounds()["start"]["half_lane"]["value"]
-
-
 def comes_back(requirement: Requirement, evidence: Evidence) -> Result:
     """After the moment of the phase its middle is near that of the lane in which it started."""
     said = "back in its lane"
@@ -98,24 +94,20 @@ def comes_back(requirement: Requirement, evidence: Evidence) -> Result:
 
 def comes_back_at(requirement: Requirement, evidence: Evidence) -> Result:
     """The gap at the moment at which it comes over the line into its lane."""
-    v = requirement.values
-    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
-    said = f"{least:g} m" if least == most else f"{least:g} to {most:g} m"
+    said = words(requirement, "m")
     motion, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
-    time = evidence.times.get(str(v["of"]))
+    time = evidence.times.get(str(requirement.values["of"]))
     if motion is None or other is None or time is None:
         return unknown(requirement, said, "not reached: it was not seen")
     aside, n = np.abs(motion.of_course("aside")), min(len(motion.x), len(other.x))
     first = motion.at(time)
-    over = np.flatnonzero(aside[first:n] < _half(motion))
+    over = np.flatnonzero(aside[first:n] < bounds()["start"]["half_lane"]["value"])
     if not len(over) or aside[first:n].max(initial=0.0) < 0.5:
         return unknown(requirement, said, "not reached: it does not come back")
     at = first + int(over[0])
     gap = float(box_distance(motion.poses[at : at + 1], other.poses[at : at + 1], motion.size, other.size)[0])
-    room = max(bounds()["start"]["gap"]["value"], bounds()["start"]["gap_share"]["value"] * most)
-    off = max(least - gap, gap - most, 0.0)
-    return scored(requirement, 1.0 - off / room, said, f"{gap:.1f} m", float(motion.time[at]),
-                  measured=(gap, least - room, most + room))  # fmt: skip
+    room = max(bounds()["start"]["gap"]["value"], bounds()["start"]["gap_share"]["value"] * span(requirement)[1])
+    return between(requirement, gap, room, said, f"{gap:.1f} m", float(motion.time[at]))
 
 
 def overtaking_broken_off(requirement: Requirement, evidence: Evidence) -> Result:
@@ -127,8 +119,7 @@ def overtaking_broken_off(requirement: Requirement, evidence: Evidence) -> Resul
         return unknown(requirement, said, "not reached: one of the two is not there")
     aside, n = np.abs(motion.of_course("aside")), min(len(motion.x), len(other.x))
     limits = bounds()["phase"]
-    sin, cos = np.sin(motion.heading[:n]), np.cos(motion.heading[:n])
-    ahead = -sin * (motion.x[:n] - other.x[:n]) + cos * (motion.y[:n] - other.y[:n])
+    ahead = -lead(motion.poses[:n], other.poses[:n])
     out, peak = limits["out"]["value"], int(aside.argmax())
     back = np.flatnonzero(aside[peak:] < limits["back"]["value"])
     if len(back) and aside[peak] > out:
@@ -146,8 +137,7 @@ def alongside(requirement: Requirement, evidence: Evidence) -> Result:
     if motion is None or other is None or time is None:
         return unknown(requirement, "side by side", "not reached: it was not seen")
     at = min(motion.at(time), len(other.x) - 1)
-    sin, cos = np.sin(motion.heading[at]), np.cos(motion.heading[at])
-    ahead = float(-sin * (other.x[at] - motion.x[at]) + cos * (other.y[at] - motion.y[at]))
+    ahead = float(lead(motion.poses[at], other.poses[at]))
     room = (motion.size[0] + other.size[0]) / 2 + bounds()["start"]["abreast"]["value"]
     return scored(requirement, (room - abs(ahead)) / room, f"within {room:.0f} m lengthwise", f"{abs(ahead):.1f} m",
                   time, measured=(ahead, -room, room))  # fmt: skip

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
-from c2s_engine.require.results import scored, unknown
+from c2s_engine.require.geometry import lead
+from c2s_engine.require.results import between, scored, span, unknown, words
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
@@ -105,15 +106,12 @@ def over_line(motion: Motion, time: float) -> float | None:
 def lengthwise(one: Motion, other: Motion, at: int) -> float:
     """m along the road from bumper to bumper of two at a step; below 0 where they are side by side."""
     a, b = min(at, len(one.x) - 1), min(at, len(other.x) - 1)
-    dx, dy = one.x[a] - other.x[b], one.y[a] - other.y[b]
-    along = -np.sin(other.heading[b]) * dx + np.cos(other.heading[b]) * dy
-    return float(abs(along) - (one.size[0] + other.size[0]) / 2)
+    return float(abs(lead(other.poses[b], one.poses[a])) - (one.size[0] + other.size[0]) / 2)
 
 
 def gap_then(requirement: Requirement, evidence: Evidence) -> Result:
     v, limits = requirement.values, bounds()["phase"]
-    least, most, action = float(v["least"]), float(v["most"]), str(v["action"])  # type: ignore[arg-type]
-    said = f"{least:g} m" if least == most else f"{least:g} to {most:g} m"
+    (least, most), action, said = span(requirement), str(v["action"]), words(requirement, "m")
     motion, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
     time = evidence.times.get(str(v["of"]))
     if motion is None or other is None or time is None:
@@ -129,9 +127,7 @@ def gap_then(requirement: Requirement, evidence: Evidence) -> Result:
             return unknown(requirement, said, "not reached: it comes over no lane line")
         gap = lengthwise(motion, other, motion.at(moment))
     room = max(limits["gap"]["value"], limits["gap_share"]["value"] * most)
-    off = max(least - gap, gap - most, 0.0)
-    return scored(requirement, 1.0 - off / room, said, f"{gap:.1f} m", moment,
-                  measured=(gap, least - room, most + room))  # fmt: skip
+    return between(requirement, gap, room, said, f"{gap:.1f} m", moment)
 
 
 def _while_followed(motion: Motion, other: Motion, time: float) -> list[int]:
@@ -148,10 +144,8 @@ def _while_followed(motion: Motion, other: Motion, time: float) -> list[int]:
 
 
 def moves_aside(requirement: Requirement, evidence: Evidence) -> Result:
-    v, limits = requirement.values, bounds()["phase"]
-    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
-    said = f"{least:g} m/s sideways"
-    motion, time = evidence.motion(requirement.actor), evidence.times.get(str(v["of"]))
+    limits, said = bounds()["phase"], f"{words(requirement, 'm/s')} sideways"
+    motion, time = evidence.motion(requirement.actor), evidence.times.get(str(requirement.values["of"]))
     if motion is None or time is None:
         return unknown(requirement, said, "not reached: it was not seen")
     window = slice(motion.at(time - LONGEST), motion.at(time + 2.0) + 1)
@@ -161,26 +155,21 @@ def moves_aside(requirement: Requirement, evidence: Evidence) -> Result:
         return unknown(requirement, said, "not reached: the run is too short")
     speeds = np.abs(moved[width:] - moved[:-width]) / (width * motion.step)
     seen = float(np.median(speeds[speeds > 0.5 * speeds.max()]))
-    room = limits["lateral"]["value"] + limits["lateral_share"]["value"] * most
-    off = max(least - seen, seen - most, 0.0)
-    return scored(requirement, 1.0 - off / room, said, f"{seen:.1f} m/s", time,
-                  measured=(seen, least - room, most + room))  # fmt: skip
+    room = limits["lateral"]["value"] + limits["lateral_share"]["value"] * span(requirement)[1]
+    return between(requirement, seen, room, said, f"{seen:.1f} m/s", time)
 
 
 def delayed(requirement: Requirement, evidence: Evidence) -> Result:
     v = requirement.values
-    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
-    said = f"{least:g} s later" if v["after"] else f"{least:g} s after the start"
+    said = f"{words(requirement, 's')} {'later' if v['after'] else 'after the start'}"
     motion, time = evidence.motion(requirement.actor), evidence.times.get(str(v["of"]))
     cause, first = evidence.motion(requirement.other or EGO), evidence.times.get(str(v["after"]))
     if motion is None or time is None or v["after"] and (first is None or cause is None):
         return unknown(requirement, said, "not reached: one of the two was not seen")
     since = onset(cause, str(v["its"]), first) if cause is not None and first is not None and v["after"] else 0.0
     seen = onset(motion, str(v["action"]), time) - since
-    room = bounds()["order"]["delay"]["value"] + 0.2 * most
-    off = max(least - seen, seen - most, 0.0)
-    return scored(requirement, 1.0 - off / room, said, f"{seen:.1f} s", time,
-                  measured=(seen, least - room, most + room))  # fmt: skip
+    room = bounds()["order"]["delay"]["value"] + 0.2 * span(requirement)[1]
+    return between(requirement, seen, room, said, f"{seen:.1f} s", time)
 
 
 def let_go_first(motion: Motion, other: Motion | None) -> list[float]:
@@ -188,8 +177,7 @@ def let_go_first(motion: Motion, other: Motion | None) -> list[float]:
     if other is None or motion is other:
         return []
     n = min(len(motion.x), len(other.x))
-    sin, cos = np.sin(motion.heading[:n]), np.cos(motion.heading[:n])
-    ahead = -sin * (other.x[:n] - motion.x[:n]) + cos * (other.y[:n] - motion.y[:n])
+    ahead = lead(motion.poses[:n], other.poses[:n])
     need, half = bounds()["phase"]["change"]["value"], (motion.size[0] + other.size[0]) / 2
     for a, b in stretches(motion.acceleration[:n] < -bounds()["phase"]["change_rate"]["value"] / 2):
         if motion.smooth[a] - motion.smooth[b] > need and ahead[a] < half and (ahead[a:] > half).any():

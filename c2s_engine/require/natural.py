@@ -6,7 +6,7 @@ import numpy as np
 
 from c2s_engine.require.evidence import SMOOTH, STANDING, Evidence, Motion, stretches
 from c2s_engine.require.outcome import SIDEWARD, struck
-from c2s_engine.require.results import scored, unknown
+from c2s_engine.require.results import scored, span, unknown
 from c2s_engine.require.scene import Scene, bounds, kmh
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
@@ -93,7 +93,7 @@ def _judged(motion: Motion, limits: dict, sideways: bool) -> Iterator[tuple[floa
 
 
 def speed_kept(requirement: Requirement, evidence: Evidence) -> Result:
-    least, most = float(requirement.values["least"]), float(requirement.values["most"])  # type: ignore[arg-type]
+    least, most = span(requirement)
     said = kmh(least, most)
     limits, seen = bounds()["speed"], []
     for motion in evidence.motions(requirement.actor):

@@ -7,7 +7,7 @@ import numpy as np
 from c2s_engine.require import moments
 from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
 from c2s_engine.require.geometry import box_distance
-from c2s_engine.require.results import decided, scored, unknown
+from c2s_engine.require.results import between, decided, scored, span, unknown
 from c2s_engine.require.scene import Scene, bounds, kmh, shown_by
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
@@ -284,7 +284,7 @@ def near_place(requirement: Requirement, evidence: Evidence) -> Result:
 def at_distance(requirement: Requirement, evidence: Evidence) -> Result:
     motion, time = _when(requirement, evidence)
     v, other = requirement.values, evidence.motion(requirement.other or EGO)
-    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
+    least, most = span(requirement)
     if motion is None or other is None or time is None:
         return unknown(requirement, f"{most:g} m away", "not reached: it was not seen")
     if str(v["action"]) in (*moments.SIDEWAYS, *moments.SETS_OUT):
@@ -296,30 +296,26 @@ def at_distance(requirement: Requirement, evidence: Evidence) -> Result:
         here, others = motion.poses[at : at + 1], other.poses[there : there + 1]
         gap = float(box_distance(here, others, motion.size, other.size)[0])
     room = max(bounds()["place"]["distance"]["value"], bounds()["place"]["distance_share"]["value"] * most)
-    off = max(least - gap, gap - most, 0.0)
-    between = "centre to centre" if v["centres"] else "bumper to bumper"
-    return scored(requirement, 1.0 - off / room, f"{most:g} m away", f"{gap:.1f} m, {between}", time)
+    how = "centre to centre" if v["centres"] else "bumper to bumper"
+    return between(requirement, gap, room, f"{most:g} m away", f"{gap:.1f} m, {how}", time)
 
 
 def rate(requirement: Requirement, evidence: Evidence) -> Result:
     motion, time = _when(requirement, evidence)
-    v = requirement.values
-    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
+    least, most = span(requirement)
     if motion is None or time is None:
         return unknown(requirement, f"{least:g} m/s2", "not reached: it was not seen")
     window = -motion.acceleration[motion.at(time - 4.0) : motion.at(time + 6.0) + 1]
     braking = window[window > 0.5 * float(window.max())]
     seen = float(np.median(braking)) if len(braking) else 0.0
     room = bounds()["phase"]["rate"]["value"] * most + 0.5
-    off = max(least - seen, seen - most, 0.0)
-    return scored(requirement, 1.0 - off / room, f"{least:g} m/s2", f"{seen:.1f} m/s2", time)
+    return between(requirement, seen, room, f"{least:g} m/s2", f"{seen:.1f} m/s2", time)
 
 
 def reaches(requirement: Requirement, evidence: Evidence) -> Result:
     """At some moment from when the phase is seen on, its speed is the stated one."""
     motion, time = _when(requirement, evidence)
-    v = requirement.values
-    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
+    least, most = span(requirement)
     if motion is None or time is None:
         return unknown(requirement, kmh(least, most), "not reached: it was not seen")
     speed = motion.speed[motion.at(time) :]

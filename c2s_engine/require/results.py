@@ -23,6 +23,25 @@ def scored(requirement: Requirement, margin: float, said: str, seen: str, time: 
     )  # fmt: skip
 
 
+def span(requirement: Requirement) -> tuple[float, float]:
+    """Between which values a requirement asks for something: its `least` and `most`."""
+    return float(requirement.values["least"]), float(requirement.values["most"])  # type: ignore[arg-type]
+
+
+def words(requirement: Requirement, unit: str) -> str:
+    """These as people read them."""
+    least, most = span(requirement)
+    return f"{least:g} {unit}" if least == most else f"{least:g} to {most:g} {unit}"
+
+
+def between(requirement: Requirement, value: float, room: float, said: str, seen: str, time: float | None = None,
+            due: float | None = None) -> Result:  # fmt: skip
+    """It holds where a value misses its span by no more than `room`; a comfortable 1 within it."""
+    least, most = span(requirement)
+    off = max(least - value, value - most, 0.0)
+    return scored(requirement, 1.0 - off / room, said, seen, time, measured=(value, least - room, most + room), due=due)
+
+
 def decided(requirement: Requirement, holds: bool, said: str, seen: str, time: float | None = None,
             why: str = "", due: float | None = None) -> Result:  # fmt: skip
     """It holds or it does not, by nothing between."""

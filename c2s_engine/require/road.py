@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from c2s_engine.require.evidence import Evidence
-from c2s_engine.require.results import decided, scored, unknown
+from c2s_engine.require.results import between, decided, scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
@@ -103,8 +103,7 @@ def distance_to(requirement: Requirement, evidence: Evidence) -> Result:
     if not ahead:
         return decided(requirement, False, said, f"no {v['place']} ahead", 0.0)
     seen, room = min(ahead), bounds()["start"]["distance"]["value"]
-    off = max(float(v["least"]) - seen, seen - float(v["most"]), 0.0)  # type: ignore[arg-type]
-    return scored(requirement, 1.0 - off / room, said, f"{seen:.0f} m", 0.0)
+    return between(requirement, seen, room, said, f"{seen:.0f} m", 0.0)
 
 
 def light(requirement: Requirement, evidence: Evidence) -> Result:

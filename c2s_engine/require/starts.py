@@ -6,7 +6,7 @@ import numpy as np
 
 from c2s_engine.require.evidence import Evidence
 from c2s_engine.require.geometry import HORIZON
-from c2s_engine.require.results import decided, scored, unknown
+from c2s_engine.require.results import between, decided, scored, span, unknown, words
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
@@ -137,14 +137,11 @@ def start_side(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 def start_gap(requirement: Requirement, evidence: Evidence) -> Result:
-    fact, v = _fact(requirement, evidence), requirement.values
-    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
-    said = f"{least:g} m" if least == most else f"{least:g} to {most:g} m"
+    fact, most, said = _fact(requirement, evidence), span(requirement)[1], words(requirement, "m")
     if fact is None:
         return unknown(requirement, said, "one of the two is not there")
     room = max(bounds()["start"]["gap"]["value"], bounds()["start"]["gap_share"]["value"] * most)
-    off = max(least - fact.gap, fact.gap - most, 0.0)
-    return scored(requirement, 1.0 - off / room, said, f"{fact.gap:.1f} m", 0.0)
+    return between(requirement, fact.gap, room, said, f"{fact.gap:.1f} m", 0.0)
 
 
 def off_lanes(requirement: Requirement, evidence: Evidence) -> Result:
@@ -177,9 +174,7 @@ def hidden(requirement: Requirement, evidence: Evidence) -> Result:
 def lateral(requirement: Requirement, evidence: Evidence) -> Result:
     one, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
     ego = evidence.motion(EGO)
-    v, room = requirement.values, bounds()["start"]["lateral"]["value"]
-    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
-    said = f"{least:g} m" if least == most else f"{least:g} to {most:g} m"
+    room, said = bounds()["start"]["lateral"]["value"], words(requirement, "m")
     if one is None or other is None or ego is None or not one.course.ego_aside:
         return unknown(requirement, said, "its place was not recorded")
     aside = [0.0 if m is ego else m.course.ego_aside[0] for m in (one, other)]
@@ -187,15 +182,12 @@ def lateral(requirement: Requirement, evidence: Evidence) -> Result:
     half = sum(abs(np.sin(t)) * m.size[0] + abs(np.cos(t)) * m.size[1]
                for t, m in zip(turned, (one, other), strict=True)) / 2  # fmt: skip
     seen = abs(aside[0] - aside[1]) - half
-    off = max(least - seen, seen - most, 0.0)
-    return scored(requirement, 1.0 - off / room, said, f"{seen:.1f} m", 0.0, measured=(seen, least - room, most + room))
+    return between(requirement, seen, room, said, f"{seen:.1f} m", 0.0)
 
 
 def arrives(requirement: Requirement, evidence: Evidence) -> Result:
     """Measured where ego does not react, on the ways and speeds up to their first contact."""
-    v, room = requirement.values, bounds()["conflict"]["arrives"]["value"]
-    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
-    said = f"{least:g} s after ego" if least == most else f"{least:g} to {most:g} s after ego"
+    room, said = bounds()["conflict"]["arrives"]["value"], f"{words(requirement, 's')} after ego"
     run = evidence.without or evidence
     one, ego = run.motion(requirement.actor), run.motion(EGO)
     if one is None or ego is None or not one.course.ego_aside:
@@ -214,9 +206,7 @@ def arrives(requirement: Requirement, evidence: Evidence) -> Result:
     if there is None:
         return scored(requirement, -1.0, said, "ego does not come there")
     seen = time - there
-    off = max(least - seen, seen - most, 0.0)
-    measured = (seen, least - room, most + room)
-    return scored(requirement, 1.0 - off / room, said, f"{seen:.1f} s", time, measured=measured)
+    return between(requirement, seen, room, said, f"{seen:.1f} s", time)
 
 
 def _moment(time: np.ndarray, values: np.ndarray) -> float | None:

@@ -47,8 +47,11 @@ async def _work(
     from c2s_engine.config import load_settings
 
     async with Engine(load_settings()) as engine:
-        tell = lambda at: err.print(Text(at, style="dim"))  # noqa: E731
-        return await dossiers(engine, what, output, form, method, seed, tell, drivers)
+        return await dossiers(engine, what, output, form, method, seed, _tell, drivers)
+
+
+def _tell(at: str) -> None:
+    err.print(Text(at, style="dim"))
 
 
 async def dossiers(

@@ -96,7 +96,11 @@ def first_event(requirement: Requirement, evidence: Evidence) -> Result:
     if not moments:
         return unknown(requirement, said, "not reached: nothing of what is said was seen")
     return scored(
-        requirement, min(moments[0] - least, most - moments[0]), said, f"{moments[0]:.1f} s", moments[0],
+        requirement,
+        min(moments[0] - least, most - moments[0]),
+        said,
+        f"{moments[0]:.1f} s",
+        moments[0],
         measured=(moments[0], least, most),
     )
 

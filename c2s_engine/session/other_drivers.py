@@ -1,7 +1,6 @@
 """The same scene with other drivers in ego's place: whether what S says of the others happens for them, too."""
 
 import re
-from collections.abc import Callable
 
 from pydantic import BaseModel, ConfigDict
 
@@ -65,9 +64,8 @@ async def with_other_drivers(structure: Structure, tools: Tools, *, map_name: st
 
 def slower(ego: Component) -> Component:
     """Ego's fragment with a driver of its behaviours who keeps to `SLOWER` of its speed; the constant stays."""
-    scaled: Callable[[re.Match[str]], str] = lambda _: f"({SLOWER:g} * EGO_SPEED)"  # noqa: E731
     lines = [
-        line if line.startswith(("EGO_SPEED", "#")) else re.sub(r"\bEGO_SPEED\b", scaled, line)
+        line if line.startswith(("EGO_SPEED", "#")) else re.sub(r"\bEGO_SPEED\b", f"({SLOWER:g} * EGO_SPEED)", line)
         for line in ego.code.splitlines(keepends=True)
     ]
     return ego.model_copy(update={"code": "".join(lines)})

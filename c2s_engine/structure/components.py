@@ -125,6 +125,13 @@ class Structure(Frozen):
         objects = tuple(component if o.id == component.id else o for o in self.objects)
         return self.model_copy(update={"objects": objects})
 
+    def with_spec(self, cid: ComponentId, spec: AnySpec | None = None, **changes: object) -> "Structure":
+        """A copy in which a component has that spec, or its own with some fields changed."""
+        component = self[cid]
+        return self.with_component(
+            component.model_copy(update={"spec": (spec or component.spec).model_copy(update=changes)})
+        )
+
     def next_object_id(self) -> ComponentId:
         numbers = [int(o.id[1:]) for o in self.objects]
         return f"O{max(numbers, default=0) + 1}"

@@ -4,12 +4,10 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
 from c2s_engine.write.typed.contradictions import ResolveError
-from c2s_engine.write.typed.lateral import LANE, LATERAL, shift_of, sideways, to_line
-from c2s_engine.write.typed.tables import LENGTH, WIDTH, is_static
-from c2s_engine.write.typed.usual import default_gap, speed_of
+from c2s_engine.write.typed.lateral import LATERAL, shift_of, sideways, to_line
+from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, WIDTH, is_static
+from c2s_engine.write.typed.usual import UNDISTURBED, default_gap, speed_of
 
-BEGINS = 3.0
-"""s for which everybody drives on before what nothing triggers."""
 LETS_BY = 5.0
 """s in which one lets another in the next lane by."""
 FOLLOWED = 4.3
@@ -28,21 +26,16 @@ def phases_of(structure: Structure, cid: str) -> tuple[Phase, ...]:
     return getattr(structure[cid].spec, "phases", ())
 
 
-def changed(structure: Structure, cid: str, **changes: object) -> Structure:
-    component = structure[cid]
-    return structure.with_component(component.model_copy(update={"spec": component.spec.model_copy(update=changes)}))
-
-
 def with_phase(structure: Structure, cid: str, i: int, **changes: object) -> Structure:
     phases = phases_of(structure, cid)
     found = (*phases[:i], phases[i].model_copy(update=changes), *phases[i + 1 :])
-    return changed(structure, cid, phases=found)
+    return structure.with_spec(cid, phases=found)
 
 
 def begins(structure: Structure, cid: str) -> float:
     """s for which everybody drives on before what one does, nobody says when."""
     followed = any(p.action == "follow" and p.target == cid for p in getattr(structure.ego.spec, "phases", ()))
-    return FOLLOWED if followed else BEGINS
+    return FOLLOWED if followed else UNDISTURBED
 
 
 def clear_ahead(structure: Structure) -> Structure:
@@ -55,13 +48,13 @@ def clear_ahead(structure: Structure) -> Structure:
         return structure
     phase = ego.phases[actions.index("lane_change")]
     before = LETS_BY if "yield" in actions[: actions.index("lane_change")] else 0.0
-    gap = round(own * (BEGINS + before + sideways(LANE, shift_of(phase)) + 2.0), 1)
+    gap = round(own * (UNDISTURBED + before + sideways(LANE_WIDTH, shift_of(phase)) + 2.0), 1)
     for component in structure.objects:
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
         at = spec.placement
         if is_static(spec) and at.position == "ahead" and at.of == "ego" and at.gap is None:
-            structure = changed(structure, component.id, placement=at.model_copy(update={"gap": gap}))
+            structure = structure.with_spec(component.id, placement=at.model_copy(update={"gap": gap}))
     return structure
 
 
@@ -99,7 +92,7 @@ def revealing(structure: Structure, cid: str, i: int, phase: Phase) -> Structure
     if at.of == "ego":
         gap += LENGTH[spec.type] + middle(spec.placement.gap if spec.placement.gap is not None else
                                           default_gap(spec, speed, place))  # fmt: skip
-    return changed(structure, stands.id, placement=at.model_copy(update={"gap": round(gap, 1)}))
+    return structure.with_spec(stands.id, placement=at.model_copy(update={"gap": round(gap, 1)}))
 
 
 def _stands_before(structure: Structure, cid: str, other: str) -> bool:

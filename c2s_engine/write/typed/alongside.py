@@ -52,12 +52,12 @@ def beside_ego(structure: Structure) -> Structure:
         if spec.placement.position in ("left_lane", "right_lane") and ego.type in RIDERS:  # room to get past
             room = {"lanes": max(place.lanes or 1, 2), "ego_lane": place.ego_lane or "rightmost"}
             place = place.model_copy(update=room)
-            structure = structure.with_component(structure.place.model_copy(update={"spec": place}))
+            structure = structure.with_spec("R", place)
         structure = structure.with_component(_placed(component, spec, ego, aside))
         if ego.speed is None and spec.type in RIDERS:
             rides = middle(spec.speed) if spec.speed is not None else DEFAULT_SPEED[spec.type]["road"]
             ego = ego.model_copy(update={"speed": round(SLOWER * rides, 1)})
-            structure = structure.with_component(structure.ego.model_copy(update={"spec": ego}))
+            structure = structure.with_spec("E", ego)
     return structure
 
 

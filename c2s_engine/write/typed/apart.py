@@ -49,7 +49,7 @@ def _set_off(structure: Structure, plan: Plan, pair: tuple[str, str], clashing: 
         for n in range(1, int(FURTHEST / STEP) + 1):
             placement = spec.placement.model_copy(update={"gap": round(start + STEP * n, 1)})
             changed = spec.model_copy(update={"placement": placement})
-            moved = structure.with_component(structure[cid].model_copy(update={"spec": changed}))
+            moved = structure.with_spec(cid, changed)
             drawn = draws(moved, plan)
             if pair not in clashes(drawn, ROOM) and sum(clashes(drawn).values()) < clashing:
                 return moved

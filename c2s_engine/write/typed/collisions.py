@@ -4,12 +4,10 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static, is_walker
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, MOVES_OFF_ROAD, is_static, is_walker
 from c2s_engine.write.typed.threats import slowed
 from c2s_engine.write.typed.usual import SETS_OUT
 
-LANE_WIDTH = 3.5
-"""m, of most maps' lanes."""
 LATE = "simulation().currentTime * simulation().timestep > 12"
 """When whoever is to hit another no longer waits for that one to slow down."""
 CLOSE = 0.6

@@ -3,10 +3,10 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
-from c2s_engine.write.typed.collisions import LANE_WIDTH, Step, struck_beside
+from c2s_engine.write.typed.collisions import Step, struck_beside
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.passing import BESIDE, NARROW
-from c2s_engine.write.typed.tables import is_static, is_vehicle, is_walker
+from c2s_engine.write.typed.tables import LANE_WIDTH, is_static, is_vehicle, is_walker
 from c2s_engine.write.typed.threats import every, members
 
 SLIDING = {"snow": 3.0, "rain": 4.5, "heavy_rain": 4.0, "wet": 4.5}

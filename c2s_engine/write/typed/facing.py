@@ -3,9 +3,9 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
-from c2s_engine.write.typed.passing import ASIDE, CALM, LANE_WIDTH, UNDISTURBED, Overtaking, overtakings
-from c2s_engine.write.typed.tables import JUNCTION, LENGTH, RAMP, is_static, is_vehicle
-from c2s_engine.write.typed.usual import speed_of
+from c2s_engine.write.typed.passing import ASIDE, CALM, Overtaking, overtakings
+from c2s_engine.write.typed.tables import JUNCTION, LANE_WIDTH, LENGTH, RAMP, is_static, is_vehicle
+from c2s_engine.write.typed.usual import UNDISTURBED, speed_of
 
 SPARE = {"ego": 1.5, "other": 2.0}
 """s after who overtakes is back in its lane, where nobody reacts: ego, or another."""
@@ -59,9 +59,7 @@ def facing(structure: Structure, place: PlaceSpec) -> Structure:
         else:
             continue
         placed = spec.placement.model_copy(update={"gap": round(gap, 1)})
-        structure = structure.with_component(
-            component.model_copy(update={"spec": spec.model_copy(update={"placement": placed})})
-        )
+        structure = structure.with_spec(component.id, placement=placed)
     return structure
 
 

@@ -11,7 +11,7 @@ from c2s_engine.write.typed.passing import passing
 from c2s_engine.write.typed.pockets import own_ways
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, OBSTRUCTING, TURN, is_static, is_vehicle
 from c2s_engine.write.typed.threats import IN_WAY, is_hit
-from c2s_engine.write.typed.usual import LONGEST_VIEW, default_gap, speed_of
+from c2s_engine.write.typed.usual import LONGEST_VIEW, UNDISTURBED, default_gap, speed_of
 
 BEYOND = 15
 """m from whom ego runs into to what stands further on."""
@@ -23,8 +23,6 @@ ALONE = 10.0
 """s that ego drives at its own speed before it slows for who is slower."""
 ABRUPT = 6.0
 """m/s2 at which one brakes who is then run into."""
-UNDISTURBED = 3.0
-"""s for which everybody drives on before what nothing triggers."""
 PASSES_IN = 3.0
 """s that somebody who comes along the road is away from where ego comes onto it."""
 AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
@@ -41,7 +39,7 @@ def normal(structure: Structure) -> Structure:
         spec = component.spec
         if isinstance(spec, ObjectSpec) and spec.type in OBSTRUCTING and _in_the_way(component.id, structure):
             high = spec.model_copy(update={"model": spec.model or OBSTRUCTING[spec.type]})
-            structure = structure.with_component(component.model_copy(update={"spec": high}))
+            structure = structure.with_spec(component.id, high)
         if not isinstance(spec, ObjectSpec) or not is_vehicle(spec.type) or is_static(spec):
             continue
         found = spec
@@ -59,9 +57,9 @@ def normal(structure: Structure) -> Structure:
         elif _is_let_by(component.id, spec, ego):
             found = spec.model_copy(update={"phases": (Phase(action="overtake", target="ego"),)})
         if found is not spec:
-            structure = structure.with_component(component.model_copy(update={"spec": found}))
+            structure = structure.with_spec(component.id, found)
     if place is not structure.place.spec:
-        structure = structure.with_component(structure.place.model_copy(update={"spec": place}))
+        structure = structure.with_spec("R", place)
     structure = _stopped_when_struck(_struck_first(passing(standing(structure), place), ego), ego)
     return facing(_caught_late(structure, ego), place)
 
@@ -78,7 +76,7 @@ def _struck_first(structure: Structure, ego: EgoSpec) -> Structure:
     for c in ahead[: [c.id for c in ahead].index(hit)]:
         assert isinstance(c.spec, ObjectSpec)
         if is_static(c.spec):
-            structure = structure.with_component(c.model_copy(update={"spec": _placed(c.spec, gap=round(beyond))}))
+            structure = structure.with_spec(c.id, _placed(c.spec, gap=round(beyond)))
     return structure
 
 
@@ -101,7 +99,7 @@ def _caught_late(structure: Structure, ego: EgoSpec) -> Structure:
         return structure
     room = 4 + 1.5 * other + 2.5 * closing if ego.reaction == "follow" else closing**2 / 4 + 4
     gap = round(min(ALONE * closing + room, LONGEST_VIEW))
-    return structure.with_component(movers[0].model_copy(update={"spec": _placed(slow, gap=gap)}))
+    return structure.with_spec(movers[0].id, _placed(slow, gap=gap))
 
 
 def _stopped_when_struck(structure: Structure, ego: EgoSpec) -> Structure:
@@ -130,7 +128,7 @@ def _stopped_when_struck(structure: Structure, ego: EgoSpec) -> Structure:
             gap += LENGTH[spec.type] + default_gap(spec, own, place)
         if gap > default_gap(first.spec, middle(speed_of(ego, place)), place):
             placed = _placed(first.spec, gap=round(min(gap, LONGEST_VIEW)))
-            structure = structure.with_component(first.model_copy(update={"spec": placed}))
+            structure = structure.with_spec(first.id, placed)
     return structure
 
 

@@ -8,7 +8,7 @@ from c2s_engine.write.typed.course import EDGE, HALF_LANE
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.spot import Spot, member
 from c2s_engine.write.typed.stations import RIGHT_BEHIND
-from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, WIDTH, is_static, is_vehicle
+from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, WIDTH, is_static, is_vehicle
 from c2s_engine.write.typed.usual import (
     NOSE_TO_TAIL,
     crosses,
@@ -20,8 +20,6 @@ from c2s_engine.write.typed.usual import (
     while_crossing,
 )
 
-LANE = 3.5
-"""m, of most maps' lanes."""
 OUT = 0.15
 """m beside a lane of one who is just out of it."""
 FACES_EGO = {"oncoming_lane", "opposite_approach"}
@@ -69,7 +67,8 @@ def aside(structure: Structure, cid: str, plan: Plan) -> float:
     if spec.placement.lateral is not None:  # from the middle of the lane of whom it is placed by
         other = structure.ego.spec if spec.placement.of == "ego" else structure[spec.placement.of].spec
         between = (WIDTH[getattr(other, "type", "car")] + WIDTH[spec.type]) / 2 + middle(spec.placement.lateral)
-        return round(left * between - LANE * ((plan.lane_of[cid] or 0) - (plan.lane_of.get(spec.placement.of) or 0)), 2)
+        lanes = (plan.lane_of[cid] or 0) - (plan.lane_of.get(spec.placement.of) or 0)
+        return round(left * between - LANE_WIDTH * lanes, 2)
     if spec.placement.position == "partly_in_lane":
         return EDGE if spec.placement.side == "left" else -EDGE
     who = _hides(structure, cid) if spec.placement.position == "ahead" and is_static(spec) else None
@@ -99,7 +98,7 @@ def standing(structure: Structure) -> Structure:
     for component in structure.objects:
         spec, who = component.spec, _hides(structure, component.id)
         if isinstance(spec, ObjectSpec) and (rests := _from_rest(spec)) is not spec:
-            structure = structure.with_component(component.model_copy(update={"spec": rests}))
+            structure = structure.with_spec(component.id, rests)
         if who is None or not isinstance(spec, ObjectSpec):
             continue
         if spec.phases and spec.phases[0].action == "stop":
@@ -107,17 +106,18 @@ def standing(structure: Structure) -> Structure:
         speed = middle(speed_of(ego, place))
         seen = who.model_copy(update={"placement": who.placement.model_copy(update={"hidden_by": None})})
         pace = max(middle(pace_of(who)), 0.8)
-        least = while_crossing(seen, speed, place) + (
-            stations.way_out(structure, who, place) - reach(who, place)
-        ) / pace * speed
+        least = (
+            while_crossing(seen, speed, place)
+            + (stations.way_out(structure, who, place) - reach(who, place)) / pace * speed
+        )
         if spec is not component.spec:
-            structure = structure.with_component(component.model_copy(update={"spec": spec}))
+            structure = structure.with_spec(component.id, spec)
         first, beyond = _row_of(structure, component.id)
         if spec.placement.position in MOVES_OFF_ROAD and first.spec.placement.gap is None:  # type: ignore[union-attr]
             gap = max(float(round(least - beyond)), NOSE_TO_TAIL)
             placed = first.spec.placement.model_copy(update={"gap": gap})  # type: ignore[union-attr]
             changed = first.spec.model_copy(update={"placement": placed})
-            structure = structure.with_component(first.model_copy(update={"spec": changed}))
+            structure = structure.with_spec(first.id, changed)
     return structure
 
 

@@ -3,11 +3,8 @@
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.contradictions import ResolveError
-from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, is_static, is_vehicle
+from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, is_static, is_vehicle
 from c2s_engine.write.typed.usual import default_gap
-
-WIDE = 3.5
-"""m: who is so far to the side is beyond the next lane."""
 
 
 def all_phases(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> list[Phase]:
@@ -30,7 +27,7 @@ def lane_offset(cid: str, objects: dict[str, ObjectSpec], seen: tuple[str, ...] 
     if placement.position == "beside":
         step = -1 if placement.side == "right" else 1
     if step and placement.lateral is not None:  # beyond the next lane
-        step *= 1 + int(middle(placement.lateral) // WIDE)
+        step *= 1 + int(middle(placement.lateral) // LANE_WIDTH)
     return None if of is None or step is None else of + step
 
 

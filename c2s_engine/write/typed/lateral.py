@@ -4,9 +4,8 @@ import math
 
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import Phase
-from c2s_engine.write.typed.tables import WIDTH
+from c2s_engine.write.typed.tables import LANE_WIDTH, WIDTH
 
-LANE = 3.5
 SHIFT = 2.2
 """m/s at which lanes are changed where nothing is said, as Drive does."""
 SIDEWAYS = 3.0
@@ -25,7 +24,9 @@ def sideways(metres: float, shift: float) -> float:
 
 def to_line(kind: str, phase: Phase) -> float:
     """s from the beginning of a phase until the side of a vehicle of a kind comes over the lane line."""
-    return sideways(max((LANE - WIDTH[kind]) / 2, 0.0), shift_of(phase)) + ANSWERS if phase.action in LATERAL else 0.0
+    if phase.action not in LATERAL:
+        return 0.0
+    return sideways(max((LANE_WIDTH - WIDTH[kind]) / 2, 0.0), shift_of(phase)) + ANSWERS
 
 
 def shift_of(phase: Phase) -> float:

@@ -17,10 +17,9 @@ from c2s_engine.write.typed.hiding import aside, faces_ego
 from c2s_engine.write.typed.lanes import pulls_out
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, MOVES_OFF_ROAD, WIDTH, WORKS
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, WIDTH, WORKS
 from c2s_engine.write.typed.usual import at_corner, right_behind, row_step, turn_of, uses_crosswalk
 
-LANE = 3.5
 DRAWS = 12
 _GOLDEN = 0.618
 _CONES = ((-1.4, -6), (-0.5, -4), (0.5, -2), (1.4, 0), (1.4, 4), (1.4, 8))
@@ -83,7 +82,7 @@ def boxes(structure: Structure, plan: Plan, draw: Draw) -> dict[str, list[Box]]:
     """The boxes of ego and each object."""
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
-    starts = {"ego": _Start("road", 0.0, -(LANE / 2 + 1.4) if pulls_out(ego) else 0.0)}
+    starts = {"ego": _Start("road", 0.0, -(LANE_WIDTH / 2 + 1.4) if pulls_out(ego) else 0.0)}
     found = {"ego": [Box("road", 0.0, starts["ego"].y, LENGTH[ego.type], WIDTH[ego.type])]}
     for component in structure.objects:
         cid, spec = component.id, component.spec
@@ -119,14 +118,14 @@ def _start(
         to = draw(cid, stations.to_junction(cid, spec, plan))
         passes = structure[plan.pocketed[cid]].spec if cid in plan.pocketed else spec
         assert isinstance(passes, ObjectSpec)
-        beside = 0.0 if passes is spec else LANE
+        beside = 0.0 if passes is spec else LANE_WIDTH
         return _Start(approach_name(plan, position, turn_of(passes.phases)), -to, beside, to, onward=-1)
     if position == "on_ramp":
         to = stations.to_merge(spec, plan)
         return _Start("place.ramp", -to, 0.0, to, onward=-1)
     if position == "intersection_exit":
         at = draw(cid, stations.exit_gap(spec, plan))
-        y = LANE / 2 + stations.outwards(spec) if stations.near_exit(spec) else 0.0
+        y = LANE_WIDTH / 2 + stations.outwards(spec) if stations.near_exit(spec) else 0.0
         return _Start("exit", at, y if placement.side == "left" else -y, at)
     base, gap, half = stations.from_base(structure, spec, plan, 1 if position == "oncoming_lane" else sign or 1)
     at = starts[base].raw if base in starts else 0.0
@@ -134,11 +133,11 @@ def _start(
         return _beside(structure, cid, spec, plan, draw, at, sign * (draw(cid, gap) + half))
     if position == "oncoming_lane":
         at += draw(cid, gap) + half
-        return _Start("road", at, LANE * (max(plan.offsets) + 1), at, -1)
+        return _Start("road", at, LANE_WIDTH * (max(plan.offsets) + 1), at, -1)
     at += sign * (draw(cid, gap) + half) if sign else draw(cid, placement.gap or 0.0)
     k = plan.lane_of[cid] or 0
     k = k if k in plan.offsets else 1
-    y = LANE * k + aside(structure, cid, plan)
+    y = LANE_WIDTH * k + aside(structure, cid, plan)
     return _Start("road", at, y, at, -1 if placement.facing == "against" else 1, sign or 1)
 
 
@@ -146,13 +145,13 @@ def _beside(
     structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, draw: Draw, base: float, offset: float
 ) -> _Start:
     left, of = spec.placement.side == "left", spec.placement.of
-    edge = LANE / 2 + stations.outwards(spec)
+    edge = LANE_WIDTH / 2 + stations.outwards(spec)
     if spec.placement.lateral is not None and of == "ego":
         edge = stations.from_lane(structure, spec)
         return _Start("road", base + offset, edge if left else -edge, base + offset)
-    y = LANE * min(plan.offsets) - edge
+    y = LANE_WIDTH * min(plan.offsets) - edge
     if left:
-        y = LANE * (max(plan.offsets) + stations.two_way(plan)) + edge
+        y = LANE_WIDTH * (max(plan.offsets) + stations.two_way(plan)) + edge
     at = base + offset
     if plan.place.kind == "crosswalk" and uses_crosswalk(spec):
         at = draw("ego", plan.distance or 0.0)
@@ -202,7 +201,7 @@ def _ends(structure: Structure, cid: str, found: dict[str, list[Box]]) -> tuple[
 
 def _on(parent: _Start, plan: Plan) -> float:
     """On the lane itself, not at its edge."""
-    return 0.0 if parent.track == "exit" else LANE * (max(plan.offsets) + 1)
+    return 0.0 if parent.track == "exit" else LANE_WIDTH * (max(plan.offsets) + 1)
 
 
 def _row(spec: ObjectSpec, start: _Start, plan: Plan) -> Iterator[Box]:
@@ -210,7 +209,7 @@ def _row(spec: ObjectSpec, start: _Start, plan: Plan) -> Iterator[Box]:
     length, width = LENGTH[spec.type], WIDTH[spec.type]
     if spec.placement.facing == "across":
         length, width = width, length
-    end = plan.distance if plan.place.kind == "on_ramp" and start.track == "road" and start.y > LANE / 2 else None
+    end = plan.distance if plan.place.kind == "on_ramp" and start.track == "road" and start.y > LANE_WIDTH / 2 else None
     for i in range(spec.count):
         s = start.s + start.onward * row_step(spec) * i
         yield Box(start.track, s if end is None else min(s, high(end) - 1), start.y, length, width)

@@ -22,8 +22,6 @@ TOGETHER = (-0.3, 0.3)
 """s between them at the spot where their ways cross, if neither reacts: they would collide."""
 CONTACT = (-0.05, 0.05)
 """s, the same where they do collide, by the parts that touch."""
-APART = 1.5
-"""s between one leaving where their ways meet and the other's coming, where S says who goes first."""
 NARROWLY = 0.7
 """s, the same where S says that neither reacts, and no contact."""
 DRAG = 1.0

@@ -32,7 +32,7 @@ def write_object(structure: Structure, cid: str, plan: Plan) -> str:
     assert isinstance(spec, ObjectSpec)
     if spec.type in WORKS:
         spec = spec.model_copy(update={"count": 1})
-        structure = structure.with_component(structure[cid].model_copy(update={"spec": spec}))
+        structure = structure.with_spec(cid, spec)
     spot = place_object(structure, cid, plan)
     name = scope.variables(structure)[cid]
     if spec.type in WORKS:

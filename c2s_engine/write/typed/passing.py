@@ -5,18 +5,16 @@ from dataclasses import dataclass
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Spec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.lanes import lane_offset, leaves_lane
-from c2s_engine.write.typed.tables import LENGTH, WIDTH, is_static, is_vehicle
-from c2s_engine.write.typed.usual import speed_of
+from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, WIDTH, is_static, is_vehicle
+from c2s_engine.write.typed.usual import UNDISTURBED, speed_of
 
 SLOW = 0.6
 """The speed of one that is overtaken, as a share of who overtakes it, where nothing says how fast it is."""
 FASTER = {"bicycle": 3.0, "motorcycle": 4.0}
 """m/s by which one overtakes at least, by who is overtaken; else `MUCH`."""
 MUCH = 5.0
-UNDISTURBED = 3.0
-"""s for which both drive on before one pulls out."""
 ASIDE = 2.2
 """s in which one gets out of its lane, or back into it."""
 OVER = 1.8
@@ -27,8 +25,6 @@ AHEAD = 10.0
 """m, bumper to bumper, before the other from which one comes back."""
 BESIDE = 1.5
 """m between one on two wheels and who passes it in their own lane or over its left line."""
-LANE_WIDTH = 3.5
-"""m, of most maps' lanes."""
 GAINS = 3.0
 """m/s2 at which one speeds up to overtake."""
 NARROW = {"bicycle", "motorcycle"}
@@ -161,10 +157,10 @@ def _slower(structure: Structure, place: PlaceSpec, one: Overtaking) -> Structur
         oncoming = _row(one.who, _objects(structure)) == "oncoming_lane"
         if oncoming and getattr(fast.spec, "speed", None) is None:  # as fast as one drives there
             start = max(start, middle(speed_of(own, place)))  # type: ignore[arg-type]
-            structure = _with(structure, one.who, speed=round(start, 1))
-        return _with(structure, one.whom, speed=round(min(SLOW * start, one.other), 1))
+            structure = structure.with_spec(one.who, speed=round(start, 1))
+        return structure.with_spec(one.whom, speed=round(min(SLOW * start, one.other), 1))
     if getattr(fast.spec, "speed", None) is None and not _states_speed(fast.spec):
-        return _with(structure, one.who, speed=round(one.other + least, 1))
+        return structure.with_spec(one.who, speed=round(one.other + least, 1))
     return structure
 
 
@@ -185,7 +181,7 @@ def _apart(structure: Structure, one: Overtaking) -> Structure:
         near = {"ahead": "ahead", "behind": "behind"}.get(at.along or at.position)
         named = at.of if at.of != "ego" else "E"
         if near == position and named == ("E" if of == "ego" else of) and at.gap is None:
-            return _with(structure, cid, placement=at.model_copy(update={"gap": gap}))
+            return structure.with_spec(cid, placement=at.model_copy(update={"gap": gap}))
     return structure
 
 
@@ -203,12 +199,6 @@ def _row(cid: str, objects: dict[str, ObjectSpec]) -> int | str | None:
     while lane is None and spec.placement.position in ("ahead", "behind") and spec.placement.of in objects:
         spec = objects[spec.placement.of]
     return lane if lane is not None else spec.placement.position
-
-
-def _with(structure: Structure, cid: str, **changes: object) -> Structure:
-    component = structure[cid]
-    assert isinstance(component.spec, Spec)
-    return structure.with_component(component.model_copy(update={"spec": component.spec.model_copy(update=changes)}))
 
 
 def _phases(structure: Structure, place: PlaceSpec) -> Structure:
@@ -229,7 +219,7 @@ def _phases(structure: Structure, place: PlaceSpec) -> Structure:
             elif not (phases and own == _lane_of(phases[-1].target, objects) and _comes_back(phases[-1], phase)):
                 phases.append(phase)
         if tuple(phases) != spec.phases:
-            structure = _with(structure, component.id, phases=tuple(phases))
+            structure = structure.with_spec(component.id, phases=tuple(phases))
     return structure
 
 

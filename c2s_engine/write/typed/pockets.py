@@ -43,7 +43,7 @@ def own_ways(structure: Structure) -> Structure:
         phases = tuple(p for p in spec.phases if p.action not in ("overtake", "follow"))
         placement = spec.placement.model_copy(update=changes)
         changed = spec.model_copy(update={"placement": placement, "phases": phases})
-        structure = structure.with_component(component.model_copy(update={"spec": changed}))
+        structure = structure.with_spec(component.id, changed)
     return structure
 
 

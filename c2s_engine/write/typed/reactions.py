@@ -44,7 +44,8 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     cids = [c for c in cids if spec.reaction != "yield" or c not in hit]
     if spec.reaction == "yield" and cids:  # whom it let pass may then be ahead
         moving = [c for c in cids if not is_static(actor.structure[c].spec)]  # type: ignore[arg-type]
-        return _around(statements, once_seen(actor.structure, moving), 3, SOFT) if moving else statements
+        seen = once_seen(actor.structure, moving)
+        return _around(statements, seen, 3, _brakes(seen)) if moving else statements
     round_it = {p.target for p in spec.phases if p.action == "overtake" and not _slows(actor.structure, p.target)}
     cids = [c for c in cids if c not in round_it]  # ego drives past these
     if spec.reaction != "brake" or not cids or spec.react_to in {c for c in round_it if _stands(actor.structure, c)}:
@@ -59,12 +60,10 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     limit, rate = (3.5, HARD) if spec.hard else (2.5, SOFT)
     if "stop" in forced and any(_position(actor.structure, c) in APPROACH_ANGLE for c in cids):
         limit = CAREFUL
-    ring = [c for c in cids if _position(actor.structure, c) == "circulating"]
-    behind = "".join(f" and gap(self, {every(actor.structure, c)}) > self.speed" for c in ring)
     if "swerve" in forced:  # it gets past first
-        return _around(statements, threats, 8, HARD)
+        return _around(statements, threats, 8, _brakes(threats, HARD))
     if "lane_change" in forced:
-        return _around(statements, threats, 5, HARD, 2)
+        return _around(statements, threats, 5, _brakes(threats, HARD, release=2))
     on_foot = [c for c in threats_on_foot(actor.structure) if spec.react_to in (None, c)]
     stands = is_stopped(spec) or _ends_standing(actor.structure)
     stops_for = {p.target for p in spec.phases if p.action == "stop"}
@@ -72,11 +71,18 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     stated = [middle(p.rate) for p in spec.phases if p.action in ("brake", "stop") and p.rate is not None]
     full = stated[0] if full and stated else full
     if not on_foot:
-        return _around(statements, threats, limit, rate, stands=stands, full=full, behind=behind)
+        brakes = _stops(threats, full) if full else _brakes(threats, rate, stands=limit if stands else 0)
+        ring = [c for c in cids if _position(actor.structure, c) == "circulating"]
+        if ring and not full:  # it goes in behind them
+            force = _force(threats)
+            room = (f"gap(self, {every(actor.structure, c)}) > self.speed" for c in ring)
+            over = " and ".join([f"{force} <= 0", *room])
+            brakes = f"do Drive(line, 0, rate=lambda: max({scope.number(rate)}, min(9, 1.1 * {force}))) until {over}"
+        return _around(statements, threats, limit, brakes)
     others = [] if spec.react_to else once_seen(actor.structure, [c for c in cids if c not in on_foot])
     before_them = stands and not stops_for.isdisjoint({None, *on_foot})
     return [
-        *_around(statements, others, limit, rate, stands=stands),
+        *_around(statements, others, limit, _brakes(others, rate, stands=limit if stands else 0) if others else ""),
         *_stop_for(actor, on_foot, spec.hard, before_them),
     ]
 
@@ -113,8 +119,9 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     others = [c for c in cids if c not in met]
     things = [scope.reference(s, c) for c in sorted(map(str, hit)) if c in s and _beside(s, c) and _stands(s, c)]
     far = "".join(f"not near(self, {one}) and " for one in things)
-    near = "".join(f" or near(self, {one})" for one in things)
-    lines = _around(statements, once_seen(s, others), 6, 0.0, when=far, until=f"{{force}} <= 0{near}", exactly=rate)
+    near, seen = "".join(f" or near(self, {one})" for one in things), once_seen(s, others)
+    brakes = f"do Drive(line, 0, rate={rate}) until {_force(seen)} <= 0{near}" if seen else ""
+    lines = _around(statements, seen, 6, brakes, when=far)
     movers = [c for c in met if not (_beside(s, c) and _stands(s, c))]
     for c in movers:
         one = scope.reference(s, c)
@@ -172,8 +179,9 @@ def _stop_for(actor: Actor, on_foot: list[str], hard: bool, stands: bool) -> lis
 def heeding(actor: Actor, statements: list[str]) -> list[str]:
     """Another driver's way, braking for those ahead in its lane or its row, unless it is to hit somebody."""
     if joins_ego(actor):
-        statements = _around(statements, ["ego"], 3, SOFT, when="self._lane is ego._lane and ")
-        return _around(statements, _row(actor), 3, SOFT) if _row(actor) else statements
+        statements = _around(statements, ["ego"], 3, _brakes(["ego"]), when="self._lane is ego._lane and ")
+        row = _row(actor)
+        return _around(statements, row, 3, _brakes(row)) if row else statements
     ego = actor.structure.ego.spec
     hit = isinstance(ego, EgoSpec) and is_hit(ego, actor.cid)
     leads = [c for c in actor.plan.leads.get(actor.cid, ()) if not _gets_past(actor, c) and not (hit and c == "ego")]
@@ -181,7 +189,7 @@ def heeding(actor: Actor, statements: list[str]) -> list[str]:
     beside = isinstance(ego, EgoSpec) and offset(actor.spec, ego, actor.plan.place)  # type: ignore[arg-type]
     if not heeded or beside or actor.value <= 0 or any(p.action == "collide" for p in actor.spec.phases):
         return statements
-    return _around(statements, heeded, 3, SOFT)
+    return _around(statements, heeded, 3, _brakes(heeded))
 
 
 def _row(actor: Actor) -> list[str]:
@@ -216,44 +224,27 @@ def _gets_past(actor: Actor, cid: str) -> bool:
     return isinstance(spec, ObjectSpec) and is_static(spec)
 
 
-def _around(
-    statements: list[str],
-    threats: list[str],
-    limit: float,
-    least: float,
-    release: float = 0,
-    when: str = "",
-    stands: bool = False,
-    behind: str = "",
-    full: float = 0,
-    until: str = "",
-    exactly: str = "",
-) -> list[str]:
-    """The statements, interrupted by braking with `least` m/s2 or more when the need (m/s2) for one of the threats is
-    over `limit`, until it is no more than `release`, or to a stand; `when`: a condition of that, with its `and`;
-    `behind`: another one, of its end. `full` (m/s2): to a stand with all that the road holds, until the cause is gone.
-    `until`: when else it ends, braking at `exactly` so many m/s2."""
+def _around(statements: list[str], threats: list[str], limit: float, brakes: str, when: str = "") -> list[str]:
+    """The statements, interrupted by `brakes` when the need (m/s2) for one of the threats is over `limit`; `when`: a
+    condition of that, with its `and`."""
     head, rest = statements[:1], statements[1:]
+    around = [*head, "try:", *(f"    {s}" for s in rest)]
     if not threats:
-        return [*head, "try:", *(f"    {s}" for s in rest)]
-    force, them = _force(threats), _them(threats)
+        return around
+    return [*around, f"interrupt when {when}{_force(threats)} > {scope.number(limit)}:", f"    {brakes}"]
+
+
+def _brakes(threats: list[str], least: float = SOFT, release: float = 0, stands: float = 0) -> str:
+    """Braking with `least` m/s2 or more until the need of it is no more than `release`, or to a stand and until it is
+    no more than `stands`."""
     more = f", least={scope.number(least)}" if least != SOFT else ""
-    more += f", stands={scope.number(limit)}" if stands else f", release={scope.number(release)}" if release else ""
-    if full:
-        brakes = f"do EmergencyStop(line, {them}{f', rate={scope.number(full)}' if full != DRY else ''})"
-    elif until or behind:
-        rate = exactly or f"lambda: max({scope.number(least)}, min(9, 1.1 * {force}))"
-        over = until.format(force=force) or f"{force} <= {scope.number(release)}{behind}"
-        brakes = f"do Drive(line, 0, rate={rate}) until {over}"
-    else:
-        brakes = f"do BrakeFor(line, {them}{more})"
-    return [
-        *head,
-        "try:",
-        *(f"    {s}" for s in rest),
-        f"interrupt when {when}{force} > {scope.number(limit)}:",
-        f"    {brakes}",
-    ]
+    more += f", stands={scope.number(stands)}" if stands else f", release={scope.number(release)}" if release else ""
+    return f"do BrakeFor(line, {_them(threats)}{more})"
+
+
+def _stops(threats: list[str], rate: float) -> str:
+    """To a stand with all that the road holds (m/s2), until the cause is gone."""
+    return f"do EmergencyStop(line, {_them(threats)}{f', rate={scope.number(rate)}' if rate != DRY else ''})"
 
 
 def _them(threats: list[str]) -> str:

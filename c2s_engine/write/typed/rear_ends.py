@@ -6,7 +6,7 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
 from c2s_engine.write.typed.tables import JUNCTION, is_static, is_vehicle
 from c2s_engine.write.typed.threats import hits_ego
-from c2s_engine.write.typed.usual import default_gap, speed_of
+from c2s_engine.write.typed.usual import UNDISTURBED, default_gap, speed_of
 
 FASTER = 4.0
 """m/s by which one is faster that runs into another which does not slow down."""
@@ -14,8 +14,6 @@ CATCHES_UP = 5.0
 """s that it then drives behind it."""
 STANDS = 1.2
 """s that ego stands or holds its lower speed when it is struck from behind."""
-UNDISTURBED = 3.0
-"""s for which everybody drives on before what nothing triggers."""
 RATE = {"stop": 3.5, "brake": 3.0, "reaction": 5.0}
 HARD = 7.0
 """m/s2 at which ego slows down."""
@@ -34,7 +32,7 @@ def solved(structure: Structure) -> Structure:
             continue
         if at.position == "behind":
             found = _from_behind(structure, spec, ego, place)
-            structure = structure.with_component(component.model_copy(update={"spec": found}))
+            structure = structure.with_spec(component.id, found)
     return structure
 
 

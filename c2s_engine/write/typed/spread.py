@@ -30,7 +30,7 @@ def spread(structure: Structure) -> Structure:
     specs = _spread(*key, tuple((c.id, c.spec) for c in structure.objects))
     for component, spec in zip((structure.place, structure.ego, *structure.objects), specs, strict=True):
         if spec is not component.spec:
-            structure = structure.with_component(component.model_copy(update={"spec": spec}))
+            structure = structure.with_spec(component.id, spec)
     return structure
 
 
@@ -134,5 +134,3 @@ def _row(spec: ObjectSpec) -> tuple:
     row = _ROW.get(placement.position, placement.position)
     along = placement.along if row in ("left_lane", "right_lane", "kerb") else None
     return row, placement.of, placement.side if row == "kerb" else None, along
-
-

@@ -6,7 +6,6 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import lateral, scope, traffic
 from c2s_engine.write.typed.collisions import (
-    LANE_WIDTH,
     Step,
     backs_into,
     collides,
@@ -18,7 +17,7 @@ from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_there, swerves_by
 from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.people import BACKS_OUT
-from c2s_engine.write.typed.tables import LANE_NAME, MOVES_OFF_ROAD, RAMP
+from c2s_engine.write.typed.tables import LANE_NAME, LANE_WIDTH, MOVES_OFF_ROAD, RAMP
 from c2s_engine.write.typed.towards import ending, yields
 from c2s_engine.write.typed.usual import SETS_OUT, reach
 

@@ -34,6 +34,8 @@ WORKS = {"construction_zone", "lane_closure"}
 MOVES_OFF_ROAD = {"roadside", "sidewalk", "parked"}
 JUNCTION = {"intersection", "roundabout"}
 RAMP = {"on_ramp", "off_ramp"}
+LANE_WIDTH = 3.5
+"""m, of most maps' lanes."""
 HALF_LANE = 1.7
 """m from the middle of a lane within which one is in it."""
 APPROACH_ANGLE = {"crossing_left": -90, "crossing_right": 90, "opposite_approach": 180, "circulating": -90}

@@ -2,10 +2,10 @@
 
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
-from c2s_engine.write.typed.collisions import LANE_WIDTH, Step
+from c2s_engine.write.typed.collisions import Step
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.order import goes_after, turns_left
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, WORKS, is_static, is_walker
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, WORKS, is_static, is_walker
 from c2s_engine.write.typed.threats import every, every_passed, standing
 from c2s_engine.write.typed.usual import SETS_OUT, SIREN, walks_first
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
-from c2s_engine.write.typed.ahead import LEAST, TIGHT, begins, changed, clear_ahead, phases_of, revealing, with_phase
+from c2s_engine.write.typed.ahead import LEAST, TIGHT, begins, clear_ahead, phases_of, revealing, with_phase
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.lateral import LATERAL, to_line
 from c2s_engine.write.typed.tables import LENGTH, is_static, is_vehicle
@@ -48,7 +48,7 @@ def _at_pace(structure: Structure) -> Structure:
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
     if ego.speed is None and (pace := _pace_for_ego(structure, ego)) is not None:
-        structure = changed(structure, "E", speed=pace)
+        structure = structure.with_spec("E", speed=pace)
     for component in structure.objects:
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
@@ -58,7 +58,7 @@ def _at_pace(structure: Structure) -> Structure:
             continue
         if spec.placement.position == "ahead" and spec.type not in ("car", "van", "motorcycle", "police_car"):
             continue  # slower ones are caught up with
-        structure = changed(structure, component.id, speed=_pace(spec, middle(speed)))
+        structure = structure.with_spec(component.id, speed=_pace(spec, middle(speed)))
     return structure
 
 
@@ -182,7 +182,7 @@ def _from_ramp(structure: Structure, cid: str) -> bool:
 def _getting_by(structure: Structure, cid: str, pair: _Pair) -> Structure:
     """One that is no faster than whom it cuts in front of, and not ahead of it, speeds up first."""
     faster = round(FASTER * middle(speed_of(structure[pair.other].spec, structure.place.spec)), 1)  # type: ignore[arg-type]
-    return changed(structure, cid, phases=(Phase(action="accelerate", speed=faster), *phases_of(structure, cid)))
+    return structure.with_spec(cid, phases=(Phase(action="accelerate", speed=faster), *phases_of(structure, cid)))
 
 
 def _time(structure: Structure, cid: str, phase: Phase) -> float:
@@ -237,7 +237,7 @@ def _start(structure: Structure, pair: _Pair, i: int, phase: Phase, then: float,
     changes: dict = {"gap": gap}
     if new != along or said is not None:
         changes["along"] = new if spec.placement.position not in ("ahead", "behind", "beside") else said
-    return changed(structure, pair.placed, placement=spec.placement.model_copy(update=changes))
+    return structure.with_spec(pair.placed, placement=spec.placement.model_copy(update=changes))
 
 
 def _apart(pair: _Pair, phase: Phase, how: str) -> ResolveError:
@@ -265,7 +265,7 @@ def _kept(structure: Structure, pair: _Pair, i: int, phase: Phase, then: float, 
             return structure
         if structure[pair.actor].spec.speed is None:  # type: ignore[union-attr]
             other = middle(speed_of(structure[pair.other].spec, structure.place.spec))  # type: ignore[arg-type]
-            return changed(structure, pair.actor, speed=round(max(other + (then - start) / time, 1.0), 2))
+            return structure.with_spec(pair.actor, speed=round(max(other + (then - start) / time, 1.0), 2))
         raise _apart(pair, phase, f"starts {middle(spec.placement.gap):g} m {along}")
     if phase.gap is None:
         gap = start + pair.gains * time - pair.bodies
@@ -284,11 +284,9 @@ def _braking(structure: Structure, cid: str, i: int, gains: float) -> Structure:
     if ego.react_to not in (None, cid) or any(p.action not in CALM for p in ego.phases):
         return structure
     slower = round(SLOWED * middle(speed_of(ego, structure.place.spec)), 1)  # type: ignore[arg-type]
-    return changed(structure, cid, phases=(*phases, Phase(action="brake", speed=slower, rate=4.0)))
+    return structure.with_spec(cid, phases=(*phases, Phase(action="brake", speed=slower, rate=4.0)))
 
 
 def _sideways_into(structure: Structure, cid: str, i: int) -> bool:
     """Whether one comes over to hit whom it comes to: there is no gap for which it waits."""
     return any(p.action == "collide" for p in phases_of(structure, cid)[i + 1 :])
-
-

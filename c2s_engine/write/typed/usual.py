@@ -16,6 +16,8 @@ from c2s_engine.write.typed.tables import (
     is_walker,
 )
 
+UNDISTURBED = 3.0
+"""s for which everybody drives on before what nothing triggers."""
 SETS_OUT = 8.0
 """m/s at which somebody drives on that stood."""
 ROOM_BEHIND = 4.0

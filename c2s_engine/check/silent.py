@@ -23,10 +23,12 @@ class Silent:
 
 
 def gather(tree: Any) -> Silent:
-    """What of a statement at the top matters here; within behaviours and requirements values are drawn already."""
+    """What of a statement at the top matters here; within behaviours, requirements and what a monitor is given values
+    are drawn already."""
     from scenic.syntax import ast as s
 
-    if any(isinstance(n, s.BehaviorDef | s.MonitorDef | s.Require | ast.FunctionDef) for n in ast.walk(tree)):
+    later = s.BehaviorDef | s.MonitorDef | s.Require | s.RequireMonitor | s.TerminateWhen | ast.FunctionDef
+    if any(isinstance(n, later) for n in ast.walk(tree)):
         return Silent()
     drawn, made = set(), []
     for node in ast.walk(tree):

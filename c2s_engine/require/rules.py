@@ -13,6 +13,8 @@ from c2s_engine.structure.requirements import Requirement, Result
 
 VEHICLES = ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle")
 STANDS = ("stationary", "stop", "wait", "yield", "start", "reverse", "enter_road", "brake", "leave_road")
+ACROSS = ("cross_road",)
+"""Who goes across the road is on no side of it."""
 WRONG_WAY = ("oncoming", "overtake", "reverse", "u_turn", "lose_control", "drift", "swerve", "leave_road", "collide")
 
 
@@ -28,7 +30,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
                 "rules", "unseen", actor, "obeys_sign", f"{name} stops at its stop sign.", event="run_stop"
             )
         placed = getattr(spec, "placement", None)
-        if not actions & set(WRONG_WAY) and not (placed and placed.facing == "against"):
+        if not actions & {*WRONG_WAY, *ACROSS} and not (placed and placed.facing == "against"):
             yield scene.make("rules", "own_side", actor, "own_side", f"{name} keeps to its own side of the road.")
         if spec.type != "bicycle":
             yield scene.make("rules", "at_line", actor, "at_line", f"{name}: if it waits at a light or sign, it stands "

@@ -10,7 +10,7 @@ from rich.text import Text
 
 from c2s_engine import driving
 from c2s_engine.commands import show
-from c2s_engine.commands.console import BAD_INPUT, NO_SERVICE, OK, REFUSED, dump, err, out, sentences, work
+from c2s_engine.commands.console import BAD_INPUT, NO_SERVICE, OK, REFUSED, InputError, dump, err, out, sentences, work
 from c2s_engine.commands.reading import read_text
 from c2s_engine.structure.account import account
 from c2s_engine.structure.measures import collisions
@@ -50,9 +50,9 @@ def generate(
         output, standalone = None, True
     with sentences(as_json):
         description = read_text(text, file)
+        if widen and no_run:
+            raise InputError("--widen needs runs to see what holds: leave --no-run out.")
         if output is not None and not output.parent.exists():
-            from c2s_engine.commands.console import InputError
-
             raise InputError(f"There is no folder {output.parent}: make it, or save elsewhere.")
     options = {"method": method, "map": map_name, "seed": seed, "run": not no_run, "runs": runs, "improve": improve}
     options |= {"strict": strict, "widen": widen}

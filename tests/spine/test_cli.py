@@ -85,10 +85,11 @@ def one_sentence(done, code):
         (["generate", "--file", "/nonexistent/a.txt"], None, "no file"),
         (["generate", "-f", "."], None, "folder"),
         (["generate", TEXT, "-o", "/nonexistent/dir/a.scenic"], None, "no folder"),
+        (["generate", TEXT, "--widen", "--no-run"], None, "leave --no-run out"),
         (["check", "/nonexistent.scenic"], None, "no file"),
         (["run", "."], None, "folder"),
     ],
-    ids=["empty", "nothing", "binary", "1 MB", "no file", "a folder", "no folder", "no program", "run a folder"],
+    ids=["empty", "nothing", "binary", "1 MB", "no file", "a folder", "no folder", "widen", "no program", "run a folder"],
 )
 def test_bad_input_gets_one_sentence(arguments, stdin, says):
     assert says in one_sentence(c2s(*arguments, stdin=stdin), 2)

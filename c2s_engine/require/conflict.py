@@ -278,9 +278,11 @@ def _cause(motion: Motion, action: str) -> float | None:
 def _needed(actor: str, evidence: Evidence) -> float:
     """From when ego has to do something: so long before what would happen without. Objects of several have names of the
     program's lines, which differ between the two runs: they are found by their component."""
-    ahead = bounds()["reaction"]["ahead"]["value"]
+    limits, ego = bounds()["reaction"], evidence.motion(EGO)
     other = evidence.without
-    assert other is not None
+    assert other is not None and ego is not None
+    slowest = float(ego.speed.max()) / limits["gentle"]["value"] + limits["least"]["value"]
+    ahead = min(limits["ahead"]["value"], slowest + limits["spare"]["value"])
     if contacts := other.contacts(actor, EGO):
         return contacts[0].time - ahead
     one, ego = other.motion(actor), other.motion(EGO)

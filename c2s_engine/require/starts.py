@@ -206,7 +206,9 @@ def arrives(requirement: Requirement, evidence: Evidence) -> Result:
     if there is None:
         return scored(requirement, -1.0, said, "ego does not come there")
     seen = time - there
-    return between(requirement, seen, room, said, f"{seen:.1f} s", time)
+    least, most = span(requirement)
+    due = round(least - seen if seen < least else most - seen, 2)
+    return between(requirement, seen, room, said, f"{seen:.1f} s", time, due=due)
 
 
 def _moment(time: np.ndarray, values: np.ndarray) -> float | None:

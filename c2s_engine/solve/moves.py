@@ -28,12 +28,23 @@ TIMES = ("first_event", "reacts")
 
 def moves(structure: Structure, failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unknown],
           usual: Usual) -> list[Move]:  # fmt: skip
-    """What to try next, each once, the most promising first: the run's length, then for each failing requirement its
-    first idea, then the second ones."""
-    ideas = [list(_ideas(structure, q, r, open_, usual)) for q, r in failing]
+    """What to try next, each once, the most promising first: all exact corrections at once, the run's length, then for
+    each failing requirement its first idea, then the second ones."""
+    exact = [list(_exact(structure, q, r, open_, usual)) for q, r in failing]
+    tried = [[(setting,) for setting in _for(q, r, open_)] for q, r in failing]
+    ideas = [[*e, *t] for e, t in zip(exact, tried, strict=True)]
     longest = max(map(len, ideas), default=0)
-    found = [*_ending(failing, open_), *(row[k] for k in range(longest) for row in ideas if k < len(row))]
-    return list(dict.fromkeys(found))
+    singly = [row[k] for k in range(longest) for row in ideas if k < len(row)]
+    ending = list(_ending(failing, open_))
+    return list(dict.fromkeys([_together([*(e[0] for e in exact if e), *ending]), *ending, *singly]))
+
+
+def _together(corrections: Sequence[Move]) -> Move:
+    """Several corrections at once; of two of one unknown, the first."""
+    settings: dict[tuple[ComponentId, str], Setting] = {}
+    for unknown, value in (setting for move in corrections for setting in move):
+        settings.setdefault((unknown.component, unknown.path), (unknown, value))
+    return tuple(settings.values())
 
 
 def _ending(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unknown]) -> Iterator[Move]:
@@ -45,9 +56,9 @@ def _ending(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unkno
         yield ((length, float(max(4.0, round(late.time - late.value + AFTER)))),)
 
 
-def _ideas(structure: Structure, requirement: Requirement, result: Result, open_: Sequence[Unknown],
+def _exact(structure: Structure, requirement: Requirement, result: Result, open_: Sequence[Unknown],
            usual: Usual) -> Iterator[Move]:  # fmt: skip
-    """Exact corrections where the run says by how much, then steps of the table."""
+    """Corrections by as much as the run says."""
     if result.due is not None and (move := _in_time(structure, requirement, result.due, open_, usual)):
         yield move
     if requirement.check in TIMES and result.value is not None and result.bounds is not None:
@@ -55,7 +66,6 @@ def _ideas(structure: Structure, requirement: Requirement, result: Result, open_
         due = result.bounds[0] + ROOM if below else result.bounds[1] - ROOM
         if below or requirement.check == "first_event":
             yield _later(structure, due - result.value, result.time or 0.0, open_, usual)
-    yield from ((setting,) for setting in _for(requirement, result, open_))
 
 
 def _later(structure: Structure, seconds: float, begins: float, open_: Sequence[Unknown], usual: Usual) -> Move:
@@ -90,7 +100,7 @@ def _in_time(structure: Structure, requirement: Requirement, due: float, open_: 
     who = requirement.actor
     if who == EGO:
         who, due = requirement.other or EGO, -due
-    for name, grows in (("placement.arrives", 1.0), ("phases.0.trigger", 1.0), ("placement.gap", 0.0)):
+    for name, grows in (("placement.later", 1.0), ("phases.0.trigger", 1.0), ("placement.gap", 0.0)):
         unknown = next((u for u in open_ if u.component == who and u.path == name), None)
         if unknown is None:
             continue

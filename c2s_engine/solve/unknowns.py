@@ -15,7 +15,7 @@ REASON = "left open: chosen so that the run shows what is required"
 BY_OTHERS = ("wait", "stationary", "cross_road", "yield", "follow")
 """First phases whose moment follows from where others are, or that have none."""
 LIMITS = {"gap": (2.0, 250.0), "speed": (1.0, 36.0), "rate": (1.0, 9.0), "duration": (1.0, 60.0),
-          "distance": (15.0, 190.0), "trigger": (1.0, 15.0), "arrives": (-4.0, 4.0)}  # fmt: skip
+          "distance": (15.0, 190.0), "trigger": (1.0, 15.0), "later": (-30.0, 30.0)}  # fmt: skip
 """What may be chosen, by the last part of the path: m, m/s, m/s2, s, m, s, s."""
 
 
@@ -75,8 +75,8 @@ def _of(component: Component, usual: Usual) -> Iterator[Unknown]:
             yield from _of_phase(cid, i, phase, speed, is_open(f"phases.{i}.trigger", phase.trigger), assumed)
     if isinstance(spec, ObjectSpec) and cid in usual.gaps and is_open("placement.gap", spec.placement.gap):
         yield Unknown(cid, "placement.gap", usual.gaps[cid])
-    if isinstance(spec, ObjectSpec) and cid in usual.arrives and is_open("placement.arrives", spec.placement.arrives):
-        yield Unknown(cid, "placement.arrives", usual.arrives[cid])
+    if isinstance(spec, ObjectSpec) and cid in usual.later and is_open("placement.later", spec.placement.later):
+        yield Unknown(cid, "placement.later", usual.later[cid])
     if cid == "R" and usual.distance and is_open("distance", getattr(spec, "distance", None)):
         yield Unknown(cid, "distance", usual.distance)
     if cid == "T" and is_open("duration", getattr(spec, "duration", None)) and not getattr(spec, "terminate_when", ()):
@@ -103,5 +103,5 @@ def _shown(path: str, value: Quantity) -> str:
         scale, digits = 3.6, 3
     least, most = f"{low(value) * scale:.{digits}g}", f"{high(value) * scale:.{digits}g}"
     unit = {"speed": "km/h", "rate": "m/s2", "duration": "s", "trigger": "s after the start",
-            "arrives": "s after ego"}.get(last, "m")  # fmt: skip
+            "later": "s"}.get(last, "m")  # fmt: skip
     return f"{least if least == most else f'{least} to {most}'} {unit}"

@@ -14,9 +14,9 @@ LEAST = 0.9
 SHARES = (0.2, 0.1)
 """By how much of its value a field varies to either side, the widest first."""
 SECONDS = 1.0
-"""s of which such a share is taken where one comes after ego: its value may be 0."""
+"""s of which such a share is taken where one comes later: its value may be 0."""
 REASON = "left open: varied as far as at least 90 % of the sampled scenes show what is required"
-FIELDS = ("gap", "speed", "rate", "distance", "trigger", "arrives")
+FIELDS = ("gap", "speed", "rate", "distance", "trigger", "later")
 
 
 async def widened(structure: Structure, room: float,
@@ -44,5 +44,5 @@ def _open(structure: Structure, room: float) -> list[Unknown]:
 
 def _range(unknown: Unknown, share: float) -> tuple[float, float]:
     least, most = unknown.limits
-    width = share * (SECONDS if unknown.path.endswith("arrives") else unknown.value)
+    width = share * (SECONDS if unknown.path.endswith("later") else unknown.value)
     return round(max(least, unknown.value - width), 2), round(min(most, unknown.value + width), 2)

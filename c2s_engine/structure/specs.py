@@ -119,6 +119,11 @@ class Placement(Spec):
         description="where its way meets ego's: how long after ego it is there if neither reacts, s; 0: together, "
         "below 0: before ego",
     )
+    later: Seconds | None = Field(
+        None,
+        description="how much later (below 0: earlier) it starts than follows from the speeds that are said, s: the "
+        "planner's correction for what ego does on its way",
+    )
     hidden_by: Reference | None = Field(None, description="the object that blocks ego's view of it at first")
     facing: Literal["along", "against", "across"] | None = Field(None, description="its heading against the road's")
 

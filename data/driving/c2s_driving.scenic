@@ -629,11 +629,18 @@ def along_line(points, spot):
     onward = (points[min(k + 1, len(points) - 1)] - points[max(k - 1, 0)]).normalized()
     return 2 * k + (spot - points[k]).dot(onward), abs((spot - points[k]).dot(onward.rotatedBy(90 deg)))
 
+def sets_off(car):
+    """Whether `car` has just set out and gains speed."""
+    now = simulation().currentTime
+    known = getattr(car, 'speeds', {}) if now > 0 else {}
+    car.speeds = {time: speed for time, speed in known.items() if now - 2 <= time < now} | {now: car.speed}
+    return car.speed < 3 and car.speed > min(car.speeds.values()) + 0.02
+
 def seconds_to(car, points, metres):
     """The time (s) until the front of `car` is so far (m) along its points, if it goes on as it does: slower in bends,
     and gaining 2 m/s2 where it has just set out."""
     here, time, speed = along_line(points, car.position)[0] + car.length / 2, 0, max(car.speed, 0.3)
-    rising = speed < 3
+    rising = sets_off(car)
     while here < metres:
         if rising:
             speed = min(math.sqrt(speed ** 2 + 8), 8)

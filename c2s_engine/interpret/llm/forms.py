@@ -93,7 +93,7 @@ def _placement(schema: Schema, earlier: list[str], without: tuple[str, ...]) -> 
     placement = schema["properties"]["placement"]["properties"]
     if earlier:
         placement["of"]["enum"] = ["ego", *earlier]
-    for name in (*without, *(() if earlier else ("of",))):
+    for name in (*without, "later", *(() if earlier else ("of",))):
         placement.pop(name, None)
 
 

@@ -115,9 +115,10 @@ def merging(structure: Structure, cid: str) -> tuple[float, float | None]:
     trigger = phase.trigger if phase is not None else None
     at_end = trigger is not None and trigger.kind == "place" and trigger.place == "merge_end"
     end = max(middle(trigger.value or 0.0), MERGES) if trigger is not None and at_end else None
+    late = middle(spec.placement.later or 0.0) * own
     if spec.placement.arrives is not None:
-        return 0.0 - middle(spec.placement.arrives) * own, end
+        return 0.0 - middle(spec.placement.arrives) * own - late, end
     if phase is None or phase.action != "cut_in":
-        return 0.0, end
+        return 0.0 - late, end
     gap = middle(phase.gap) if phase.gap is not None else max(LEAST, TIGHT * min(own, ego))
-    return gap + half + (ego - own) * to_line(spec.type, phase), end
+    return gap + half + (ego - own) * to_line(spec.type, phase) - late, end

@@ -50,19 +50,24 @@ def meeting(structure: Structure, cid: str, plan: Plan) -> Meeting | None:
         return None
     if spec.placement.gap is not None or cid in plan.set_out or cid in plan.pocketed:
         return None
-    arrives = spec.placement.arrives
+    arrives, later = spec.placement.arrives, middle(spec.placement.later or 0.0)
     if hits_ego(spec) or is_hit(ego, cid):
-        return Meeting(CONTACT, parts=contact(structure, cid))
+        return Meeting(_earlier(CONTACT, later), parts=contact(structure, cid))
     aside = offset(spec, ego, plan.place)
     own = "side" if turn_of(spec.phases) == "STRAIGHT" else f"rear_{'right' if aside > 0 else 'left'}"
     beside = (_part(own, spec), _part("front", ego)) if aside else None
     if arrives is not None or beside:
-        return Meeting((0.0 - high(arrives), 0.0 - low(arrives)) if arrives is not None else TOGETHER, parts=beside)
+        ahead = (0.0 - high(arrives), 0.0 - low(arrives)) if arrives is not None else TOGETHER
+        return Meeting(_earlier(ahead, later), parts=beside)
     if STAYS & {p.action for p in spec.phases}:
         return None
     if ego.reaction != "none" or {"yield", "brake", "stop"} & {p.action for p in ego.phases}:
-        return Meeting()
-    return Meeting(clear=NARROWLY if plan.place.manoeuvre == "straight" else -NARROWLY)
+        return Meeting(_earlier(TOGETHER, later))
+    return Meeting(clear=(NARROWLY if plan.place.manoeuvre == "straight" else -NARROWLY) - later)
+
+
+def _earlier(ahead: tuple[float, float], later: float) -> tuple[float, float]:
+    return round(ahead[0] - later, 2), round(ahead[1] - later, 2)
 
 
 def contact(structure: Structure, cid: str) -> tuple[str, str]:

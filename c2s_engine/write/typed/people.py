@@ -1,7 +1,7 @@
 """Who crosses ego's way from beside the road, on foot or riding: when they set out, how far they go."""
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.quantity import Quantity, middle
+from c2s_engine.structure.quantity import Quantity, high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.meetings import way_of_ego
@@ -50,7 +50,9 @@ def constants(structure: Structure, cid: str, plan: Plan) -> list[str]:
     walks_into = is_walker(spec.type) and first is not None and first.action == "collide"
     if not (crosses(spec) or walks_into) or _ego_stays(structure, plan) or _stated(spec):
         return []
-    arrives = scope.quantity(_arrival(structure, cid, spec, plan))
+    later = middle(spec.placement.later or 0.0)
+    due = _arrival(structure, cid, spec, plan)
+    arrives = scope.quantity((round(low(due) + later, 2), round(high(due) + later, 2)) if later else due)
     return [f"{scope.constant(structure, cid)}_ARRIVES = {arrives}  # s after ego in the middle of its way, unhindered"]
 
 

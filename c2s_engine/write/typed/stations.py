@@ -164,10 +164,10 @@ def to_junction(cid: str, spec: ObjectSpec, plan: Plan) -> float | tuple[float, 
         return spec.placement.gap
     if cid in plan.set_out:
         return 18.0
-    own = middle(speed_of(spec, plan.place))
+    own, later = middle(speed_of(spec, plan.place)), middle(spec.placement.later or 0.0)
     far = middle(plan.distance or 40)
     seconds = far / max(plan.ego_speed, 4) if plan.ego_speed > 0 else math.sqrt(far + 5)
-    return max(8.0, min(own * seconds + 6.0, LONGEST_APPROACH)) if own > 0 else 8.0
+    return max(8.0, min(own * (seconds + later) + 6.0, LONGEST_APPROACH)) if own > 0 else 8.0
 
 
 def to_merge(spec: ObjectSpec, plan: Plan) -> float:

@@ -16,12 +16,12 @@ TIMED = {*APPROACH_ANGLE, "intersection_exit", "on_ramp"}
 
 @dataclass(frozen=True)
 class Usual:
-    """Starting speeds (m/s) of ego (`E`) and of the objects, their gaps (m), when they are where their ways meet ego's
-    (s after ego), the m to the junction, the s of a run."""
+    """Starting speeds (m/s) of ego (`E`) and of the objects, their gaps (m), by how much (s) those come later who
+    are timed to meet it, the m to the junction, the s of a run."""
 
     speeds: dict[ComponentId, float] = field(default_factory=dict)
     gaps: dict[ComponentId, float] = field(default_factory=dict)
-    arrives: dict[ComponentId, float] = field(default_factory=dict)
+    later: dict[ComponentId, float] = field(default_factory=dict)
     distance: float | None = None
     duration: float = 20.0
 
@@ -32,16 +32,16 @@ def usual_values(structure: Structure, room: float) -> Usual:
     plan = make_plan(written, room)
     ego = written.ego.spec
     assert isinstance(ego, EgoSpec)
-    speeds, gaps, arrives = {"E": middle(speed_of(ego, plan.place))}, {}, {}
+    speeds, gaps, later = {"E": middle(speed_of(ego, plan.place))}, {}, {}
     for component in written.objects:
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
         speeds[component.id] = 0.0 if is_static(spec) else middle(speed_of(spec, plan.place))
         meets = spec.placement.position in TIMED and spec.placement.gap is None or crosses(spec)
         if meets and not any(p.trigger for p in spec.phases[:1]):
-            arrives[component.id] = middle(spec.placement.arrives) if spec.placement.arrives is not None else 0.0
+            later[component.id] = middle(spec.placement.later or 0.0)
         if spec.placement.position not in TIMED:
             gap = spec.placement.gap
             gaps[component.id] = middle(gap) if gap is not None else default_gap(spec, plan.ego_speed, plan.place)
     distance = None if plan.distance is None else middle(plan.distance)
-    return Usual(speeds, gaps, arrives, distance, plan.duration)
+    return Usual(speeds, gaps, later, distance, plan.duration)

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from c2s_engine.require.due import arrival, to_meet
+from c2s_engine.require.due import arrival, conflict_begins, to_meet
 from c2s_engine.require.evidence import Evidence, Motion
 from c2s_engine.require.geometry import post_encroachment, time_to_collision
 from c2s_engine.require.outcome import struck as struck_pairs
@@ -58,13 +58,19 @@ def without_reaction(structure: Structure) -> Structure | None:
 
 
 def unaware(structure: Structure) -> Structure:
-    """S whose ego does what it does of its own accord and answers to nobody.
+    """S whose ego does what it does of its own accord and does not answer to the one that S names, or, where it names
+    none, to anybody.
 
     Who follows drives on at its speed: keeping the distance is a reaction too.
     """
     spec = structure.ego.spec
     assert isinstance(spec, EgoSpec)
-    first = next((i for i, p in enumerate(spec.phases) if answers(p, structure)), len(spec.phases))
+
+    def is_answer(phase: Phase) -> bool:
+        others = {None, spec.react_to} if spec.react_to else {None, *_whom(phase)}
+        return answers(phase, structure) and not others.isdisjoint(_whom(phase))
+
+    first = next((i for i, p in enumerate(spec.phases) if is_answer(p)), len(spec.phases))
     blind = {"action": "keep_lane", "target": None, "gap": None}
     kept = spec.phases[:first]
     if first < len(spec.phases) and spec.phases[first].action == "yield":  # what it then does, it does at once
@@ -91,7 +97,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
             others = tuple(a for a in scene.objects if a != actor)
             beside: dict[str, Value] = {"others": others} if others else {}
             yield scene.make("reaction", "reacts", EGO, f"reaction.{actor}", f"Ego reacts to {name} once it can be "
-                             "seen, in time, and not before.", other=actor, action=_onset_of(scene.objects[actor]),
+                             "seen, in time, and not before.", other=actor, action=_onset_of(scene.objects[actor]), hard=scene.ego.hard,
                              **beside)  # type: ignore[arg-type]  # fmt: skip
 
 
@@ -124,7 +130,9 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
 
 
 def _whom(phase: Phase) -> tuple[str | None, ...]:
-    return phase.target, phase.trigger.of if phase.trigger else None
+    """Whom a phase names; None where nobody."""
+    named = tuple(c for c in (phase.target, phase.trigger.of if phase.trigger else None) if c)
+    return named or (None,)
 
 
 def _threatens(spec: ObjectSpec) -> bool:
@@ -248,7 +256,7 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
     if not causes:
         return scored(requirement, -1.0, said, f"ego reacts at {time:.1f} s to what it never could see", time)
     cause = min(causes)
-    late, early = time - max(cause, _needed(requirement.other or "", evidence)), time - cause
+    late, early = time - max(cause, _needed(requirement.other or "", evidence, bool(requirement.values["hard"]))), time - cause
     # a threat from the start has no moment before which a reaction would be too early
     margins = [(most - late) / most, *([(early - least) / least] if cause > 0.0 else [])]
     words = f"at {time:.1f} s, {early:.1f} s after its cause"
@@ -275,22 +283,22 @@ def _cause(motion: Motion, action: str) -> float | None:
     return motion.visible_from(_onset(motion, action) or 0.0)
 
 
-def _needed(actor: str, evidence: Evidence) -> float:
-    """From when ego has to do something: so long before what would happen without. Objects of several have names of the
-    program's lines, which differ between the two runs: they are found by their component."""
-    limits, ego = bounds()["reaction"], evidence.motion(EGO)
-    other = evidence.without
-    assert other is not None and ego is not None
-    slowest = float(ego.speed.max()) / limits["gentle"]["value"] + limits["least"]["value"]
-    ahead = min(limits["ahead"]["value"], slowest + limits["spare"]["value"])
-    if contacts := other.contacts(actor, EGO):
-        return contacts[0].time - ahead
+def _needed(actor: str, evidence: Evidence, hard: bool) -> float:
+    """From when ego has to do something: so long before what would happen without as it needs to stop gently. Objects
+    of several have names of the program's lines, which differ between the two runs: they are found by their component."""
+    limits, other = bounds()["reaction"], evidence.without
+    assert other is not None
     one, ego = other.motion(actor), other.motion(EGO)
     if one is None or ego is None:
         return 0.0
-    n = min(len(one.x), len(ego.x))
-    apart = np.hypot(one.x[:n] - ego.x[:n], one.y[:n] - ego.y[:n])
-    return float(one.time[int(apart.argmin())]) - ahead
+    contacts = other.contacts(actor, EGO)
+    there = contacts[0].time if contacts else conflict_begins(one, ego)
+    if there is None:
+        n = min(len(one.x), len(ego.x))
+        there = float(one.time[int(np.hypot(one.x[:n] - ego.x[:n], one.y[:n] - ego.y[:n]).argmin())])
+    shortly_before = float(ego.speed[ego.at(there - limits["shortly"]["value"])])
+    ahead = limits["ahead_hard" if hard else "ahead"]["value"]
+    return there - min(shortly_before / limits["gentle"]["value"] + limits["spare"]["value"], ahead)
 
 
 def _onset(motion: Motion, action: str) -> float | None:

@@ -40,6 +40,13 @@ def arrival(one: Motion, other: Motion) -> float | None:
     return round(float(hit[0].min() - hit[1].min()) * every * one.step, 2) if len(hit[0]) else None
 
 
+def conflict_begins(one: Motion, other: Motion) -> float | None:
+    """When the second of two is where their ways meet, s; None where they do not."""
+    every = max(1, round(STEP / one.step))
+    hit = _meeting(one.poses[::every], other.poses[::every], one, other)
+    return float(max(hit[0].min(), hit[1].min())) * every * one.step if len(hit[0]) else None
+
+
 def _meeting(a: np.ndarray, b: np.ndarray, one: Motion, other: Motion) -> tuple[np.ndarray, np.ndarray]:
     """The steps of both at which they would touch, were they there at the same time."""
     apart = np.hypot(a[:, None, 0] - b[None, :, 0], a[:, None, 1] - b[None, :, 1])

@@ -56,8 +56,9 @@ def _settings(scene: Scene) -> Iterator[Requirement]:
             yield scene.make("settings", "weather", EGO, f"weather.{weather}", f"The weather: {weather}.",
                              component="G", value=weather)  # fmt: skip
     if spec.time:
+        low_sun = spec.time == "day" and spec.parameters.get("sun_altitude_angle", 0.0) > 0
         yield scene.make("settings", "time_of_day", EGO, "time", f"The time of day: {spec.time}.", component="G",
-                         value=spec.time)  # fmt: skip
+                         value=spec.time, **({"low_sun": True} if low_sun else {}))  # fmt: skip
 
 
 def road_kind(requirement: Requirement, evidence: Evidence) -> Result:
@@ -121,7 +122,8 @@ def weather(requirement: Requirement, evidence: Evidence) -> Result:
 
 def time_of_day(requirement: Requirement, evidence: Evidence) -> Result:
     said = str(requirement.values["value"])
-    return decided(requirement, said in evidence.facts.time, said, ", ".join(evidence.facts.time), 0.0)
+    said_too = {said, "dawn", "dusk"} if requirement.values.get("low_sun") else {said}
+    return decided(requirement, bool(said_too & set(evidence.facts.time)), said, ", ".join(evidence.facts.time), 0.0)
 
 
 CHECKS = {"road_kind": road_kind, "road_fact": road_fact, "lanes": lanes, "infrastructure": infrastructure,

@@ -58,9 +58,10 @@ def _ending(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unkno
 
 def _exact(structure: Structure, requirement: Requirement, result: Result, open_: Sequence[Unknown],
            usual: Usual) -> Iterator[Move]:  # fmt: skip
-    """Corrections by as much as the run says."""
-    if result.due is not None and (move := _in_time(structure, requirement, result.due, open_, usual)):
-        yield move
+    """Corrections by as much as the run says, and by half of it: one that sets out a step later may be far later."""
+    if result.due is not None:
+        whole, half = (list(_in_time(structure, requirement, share * result.due, open_, usual)) for share in (1.0, 0.5))
+        yield from (*whole[:1], *half[:1], *whole[1:2])
     if requirement.check in TIMES and result.value is not None and result.bounds is not None:
         below = result.value < result.bounds[0]
         due = result.bounds[0] + ROOM if below else result.bounds[1] - ROOM
@@ -76,14 +77,14 @@ def _later(structure: Structure, seconds: float, begins: float, open_: Sequence[
     for unknown in open_:
         spec, last = structure[unknown.component].spec, unknown.path.rsplit(".", 1)[-1]
         speed = usual.speeds.get(unknown.component, 0.0)
-        if last == "distance":
+        if last == "distance" and own > 0:
             value = unknown.value + own * seconds
-        elif last == "gap" and isinstance(spec, ObjectSpec):
-            value = unknown.value + _parting(spec, own, speed) * seconds
+        elif last == "gap" and isinstance(spec, ObjectSpec) and (parting := _parting(spec, own, speed)):
+            value = unknown.value + parting * seconds
         elif last == "trigger":
             value = begins + seconds if speed <= 0 else unknown.value + seconds
-        elif last == "duration" and unknown.component == "T":
-            value = unknown.value + max(seconds, 0.0)
+        elif last == "duration":
+            value = unknown.value + (max(seconds, 0.0) if unknown.component == "T" else seconds)
         else:
             continue
         low, high = unknown.limits
@@ -94,25 +95,35 @@ def _later(structure: Structure, seconds: float, begins: float, open_: Sequence[
 
 
 def _in_time(structure: Structure, requirement: Requirement, due: float, open_: Sequence[Unknown],
-             usual: Usual) -> Move:  # fmt: skip
+             usual: Usual) -> Iterator[Move]:  # fmt: skip
     """The requirement's actor `due` s later where it is to be (ego's counterpart so much earlier): by when it is where
-    their ways meet, when it begins, or where it starts."""
+    their ways meet, when it begins, or where it starts; else, where it cannot be earlier, ego so much later."""
     who = requirement.actor
     if who == EGO:
         who, due = requirement.other or EGO, -due
-    for name, grows in (("placement.later", 1.0), ("phases.0.trigger", 1.0), ("placement.gap", 0.0)):
-        unknown = next((u for u in open_ if u.component == who and u.path == name), None)
-        if unknown is None:
+    spec = structure[who].spec if who != EGO else None
+    away = usual.speeds.get("E", 0.0)
+    for component, path, grows in (
+        (who, "placement.later", 1.0),
+        (who, "phases.0.trigger", 1.0),
+        (who, "placement.gap", _back(spec) * usual.speeds.get(who, 0.0)),
+        (who, "placement.gap", -away if usual.speeds.get(who, 0.0) and who in usual.later else 0.0),
+        ("R", "distance", -away),
+    ):
+        unknown = next((u for u in open_ if (u.component, u.path) == (component, path)), None)
+        if unknown is None or not grows:
             continue
-        spec = structure[who].spec
-        if name == "placement.gap" and isinstance(spec, ObjectSpec):
-            back = spec.placement.position in ("behind", "oncoming_lane") or spec.placement.along == "behind"
-            grows = (1.0 if back else -1.0) * usual.speeds.get(who, 0.0)
         low, high = unknown.limits
         value = round(min(max(unknown.value + grows * due, low), high), 2)
         if value != unknown.value:
-            return ((unknown, value),)
-    return ()
+            yield ((unknown, value),)
+
+
+def _back(spec: object) -> float:
+    """+1 where one that starts further from ego comes later to where they meet, -1 where it comes earlier."""
+    if not isinstance(spec, ObjectSpec):
+        return 0.0
+    return 1.0 if spec.placement.position in ("behind", "oncoming_lane") or spec.placement.along == "behind" else -1.0
 
 
 def _parting(spec: ObjectSpec, own: float, speed: float) -> float:

@@ -14,7 +14,7 @@ from c2s_engine.write.typed.usual_values import Usual, usual_values
 
 MOST = 12
 """Runs that one search may cost."""
-SECONDS = 8.0
+SECONDS = 15.0
 """s after which none is begun: far more than they take, so that the same S gives the same choice."""
 
 

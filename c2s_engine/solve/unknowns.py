@@ -14,6 +14,8 @@ PLANNER = "planner"
 REASON = "left open: chosen so that the run shows what is required"
 BY_OTHERS = ("wait", "stationary", "cross_road", "yield", "follow")
 """First phases whose moment follows from where others are, or that have none."""
+STANDS_FOR = 3.0
+"""s for which one waits first, where nothing says how long."""
 LIMITS = {"gap": (2.0, 250.0), "speed": (1.0, 36.0), "rate": (1.0, 9.0), "duration": (1.0, 60.0),
           "distance": (15.0, 190.0), "trigger": (1.0, 15.0), "later": (-30.0, 30.0)}  # fmt: skip
 """What may be chosen, by the last part of the path: m, m/s, m/s2, s, m, s, s."""
@@ -72,7 +74,8 @@ def _of(component: Component, usual: Usual) -> Iterator[Unknown]:
         if speed > 0 and is_open("speed", spec.speed):
             yield Unknown(cid, "speed", speed)
         for i, phase in enumerate(spec.phases):
-            yield from _of_phase(cid, i, phase, speed, is_open(f"phases.{i}.trigger", phase.trigger), assumed)
+            untimed = is_open(f"phases.{i}.trigger", phase.trigger) and cid not in usual.later
+            yield from _of_phase(cid, i, phase, speed, untimed, assumed)
     if isinstance(spec, ObjectSpec) and cid in usual.gaps and is_open("placement.gap", spec.placement.gap):
         yield Unknown(cid, "placement.gap", usual.gaps[cid])
     if isinstance(spec, ObjectSpec) and cid in usual.later and is_open("placement.later", spec.placement.later):
@@ -90,6 +93,8 @@ def _of_phase(cid: ComponentId, i: int, phase: Phase, speed: float, untimed: boo
     if i == 0 and untimed and moves and phase.action not in BY_OTHERS:
         value = middle(phase.trigger.value) if phase.trigger and phase.trigger.value is not None else 3.0
         yield Unknown(cid, f"{path}.trigger", value)
+    if i == 0 and phase.action == "wait" and untimed and (phase.duration is None or f"{path}.duration" in assumed):
+        yield Unknown(cid, f"{path}.duration", middle(phase.duration) if phase.duration is not None else STANDS_FOR)
     if phase.action in ("brake", "stop") and (phase.rate is None or f"{path}.rate" in assumed):
         yield Unknown(cid, f"{path}.rate", middle(phase.rate) if phase.rate is not None else 3.5)
     if phase.action in ("overtake", "accelerate") and (phase.speed is None or f"{path}.speed" in assumed):

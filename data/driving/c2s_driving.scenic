@@ -720,6 +720,8 @@ def need(car, other):
     place = (other.position - car.position).rotatedBy(-car.heading)
     motion = other.velocity.rotatedBy(-car.heading)
     across = abs(math.sin(other.heading - car.heading))
+    if across < 0.5 and getattr(other, 'isVehicle', False) and not off_lane(other, 0.9):
+        motion = Vector(0, motion.y)  # nobody can see yet that it is leaving its lane
     gap = place.y - (car.length + other.width * across + other.length * (1 - across)) / 2
     reach = (car.width + other.length * across + other.width * (1 - across)) / 2 + 0.8
     closing = car.speed - motion.y

@@ -1,6 +1,7 @@
 """Phases to a Scenic behaviour: each becomes one `do`, ended by the next phase's trigger or its own completion."""
 
-from c2s_engine.structure.specs import ObjectSpec, Phase
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.order import STANDS
@@ -29,6 +30,8 @@ SLOW = "5"
 """m/s at which somebody comes up to where it first stands."""
 AT_SIGN = {"run_stop", "stop", "yield", "wait", "stationary"}
 """What says itself what ego does at its stop sign."""
+SLOWS_DOWN = 3.0
+"""m/s2 at which one slows down for a turn."""
 QUEUED = 3.0
 """s for which one stands before the junction, so that those behind come to a stand, too."""
 
@@ -151,6 +154,11 @@ def phases_of(actor: Actor) -> list[Phase]:
     phases = _gives_way_first(phases)
     for i, phase in enumerate(phases):
         then = phases[i + 1] if i + 1 < len(phases) else None
+        if phase.action == "brake" and phase.trigger is None and phase.speed and then and then.action in TURN:
+            metres = max(actor.value**2 - middle(phase.speed) ** 2, 0) / (2 * (middle(phase.rate or SLOWS_DOWN)))
+            at = Trigger(kind="place", place="intersection", value=round(max(metres, 0.5), 1))
+            phases[i] = phase.model_copy(update={"trigger": at})
+            continue
         if i == 0 and actor.is_ego and actor.value <= 0 and phase.action == "stop" and then is not None:
             phases[i] = phase.model_copy(update={"action": "stationary"})  # it stands there
             continue

@@ -16,6 +16,8 @@ ON_LANE = {"stop", "stationary", "wait", "move_along"}
 """What somebody does on ego's lane who came onto it."""
 IN_WAY = 1.15
 """m from the middle of ego's way within which ego touches somebody."""
+AT_CORNER = 0.7
+"""m from the middle of ego's way to who stands before a corner of ego."""
 GONE = 2.2
 """m from the middle of ego's way from which ego takes somebody who walks on to be out of it."""
 NEAR_MISS = (0.45, 0.85)
@@ -86,10 +88,8 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Qu
 
 def _struck_at(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, pace: float) -> float:
     """The same where they touch: by the part of ego that S says; corners are a quarter of its width from its middle."""
-    ego = structure.ego.spec
+    ego, part = structure.ego.spec, _egos_part(structure, cid, spec)
     assert isinstance(ego, EgoSpec)
-    own = next((p.target_part for p in spec.phases if p.action == "collide"), None)
-    part = own or next((p.part for p in ego.phases if p.action == "collide" and p.target in (None, cid)), None)
     from_left, width, passes = spec.placement.side == "left", WIDTH[ego.type], LENGTH[ego.type] / max(plan.ego_speed, 1)
     if part in ("front_left", "front_right"):
         short = (part == "front_left") == from_left
@@ -98,6 +98,13 @@ def _struck_at(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, pac
         share = 0.5 if part in ("left", "right") else 0.9
         return share * passes + (width + WIDTH[spec.type]) / 2 / pace
     return 0.0
+
+
+def _egos_part(structure: Structure, cid: str, spec: ObjectSpec) -> str | None:
+    """The part of ego that touches somebody, as S says."""
+    own = next((p.target_part for p in spec.phases if p.action == "collide"), None)
+    phases = getattr(structure.ego.spec, "phases", ())
+    return own or next((p.part for p in phases if p.action == "collide" and p.target in (None, cid)), None)
 
 
 def _stays(after: tuple[Phase, ...]) -> bool:
@@ -131,7 +138,7 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
                 lines.append(f"do Stand() until {_sets_out(structure, cid, spec, phase, plan, own)}")
                 if phase.trigger and phase.trigger.delay is not None:
                     lines.append(f"do Stand() for {scope.quantity(phase.trigger.delay)} seconds")
-            lines.append(f"do Walk({heading}, {own}, {_how_far(structure, phase, then, heading)}){until}")
+            lines.append(f"do Walk({heading}, {own}, {_how_far(structure, cid, phase, then, heading)}){until}")
             heading, begun = "self.heading", True
         elif phase.action == "leave_road":
             back = "self.heading + 180 deg" if phase.side in (None, spec.placement.side or "right") else "self.heading"
@@ -225,12 +232,16 @@ def _meets(structure: Structure, cid: str, spec: ObjectSpec) -> bool:
     return isinstance(ego, EgoSpec) and is_hit(ego, cid) or any(p.action == "collide" for p in spec.phases)
 
 
-def _how_far(structure: Structure, phase: Phase, then: Phase | None, heading: str) -> str:
+def _how_far(structure: Structure, cid: str, phase: Phase, then: Phase | None, heading: str) -> str:
     """To the other side of the road, or as far as what comes next asks; who comes onto it is in ego's way then."""
     remains = then is None and phase.action == "enter_road" and _ego_reacts(structure)
     returns = then is not None and then.action == "leave_road"
     if remains or returns or then is not None and _stays((then,)):
-        return "along_line(line, self.position)[1]"
+        spec = structure[cid].spec
+        assert isinstance(spec, ObjectSpec)
+        corner = {"front_left": 1, "front_right": -1}.get(_egos_part(structure, cid, spec) or "", 0)
+        further = corner * (-1 if spec.placement.side == "left" else 1) * AT_CORNER
+        return "along_line(line, self.position)[1]" + (f" {'+' if further > 0 else '-'} {AT_CORNER}" if corner else "")
     if then is not None and then.trigger is None and then.action == "yield":
         return f"along_line(line, self.position)[1] - {SHORT_OF_LANE}"
     return f"to_far_side(self, line, {heading})"
@@ -252,7 +263,9 @@ def _sets_out(
     if t and t.kind == "ttc" and value:
         return f"gap(self, {other}) < {value} * max({other}.speed, 3)"
     if t and t.kind == "action":
-        return f"{other}.speed < 0.5" if t.action in ("stop", "stationary") else f"(distance from self to {other}) < 25"
+        from c2s_engine.write.typed.triggers import observed  # that module needs this one
+
+        return observed(structure, other, t.of or "ego", t.action)
     if _ego_stays(structure, plan):
         return "simulation().currentTime * simulation().timestep >= 2"
     gained = f", {scope.number(rate)}" if rate else ""

@@ -3,8 +3,9 @@
 from c2s_engine.maps.expressions import Call, place_call
 from c2s_engine.structure.quantity import high
 from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.room import AT_THE_EDGE
 from c2s_engine.write.typed.scope import number, quantity
-from c2s_engine.write.typed.tables import APPROACH_NAME, JUNCTION, RAMP, SIDE
+from c2s_engine.write.typed.tables import APPROACH_NAME, JUNCTION, LENGTH, RAMP, SIDE
 
 EGO_VARIES = 20.0
 """m of its lane within which ego starts, where nothing ahead says where."""
@@ -92,4 +93,6 @@ def _start(plan: Plan) -> list[str]:
         return [f"EGO_AT = Range({number(plan.before)}, {number(plan.before + EGO_VARIES)})  # m along its lane"]
     if plan.place.kind == "crosswalk":
         return [f"EGO_TO_CROSSWALK = {quantity(plan.distance)}  # m", "EGO_AT = place.mark - EGO_TO_CROSSWALK"]
+    if plan.ego_speed <= 0 and plan.distance == AT_THE_EDGE:
+        return [f"EGO_AT = stop_line(place.lane) - {number(1 + LENGTH['car'] / 2)}  # m along its lane, at its line"]
     return [f"EGO_TO_JUNCTION = {quantity(plan.distance)}  # m", "EGO_AT = place.length - EGO_TO_JUNCTION"]

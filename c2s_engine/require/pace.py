@@ -14,6 +14,9 @@ from c2s_engine.structure.quantity import high
 from c2s_engine.structure.requirements import Requirement, Result
 
 
+CHANGES_SPEED = ("accelerate", "start")
+
+
 def required(scene: Scene) -> Iterator[Requirement]:
     ids = tuple(
         f"{'E' if actor == EGO else actor}.phases.{i}.{end}"
@@ -48,9 +51,13 @@ def _moments(requirement: Requirement, evidence: Evidence) -> list[float]:
 
 
 def _last(requirement: Requirement, moments: list[float], evidence: Evidence) -> float:
-    """The last thing that happens: of what is said, a junction left behind, a contact, that somebody comes to its stand
-    or that ego's braking for others is over."""
-    left = [_leaves(m, t) for key, m in _passing(requirement, evidence) if (t := evidence.times.get(key)) is not None]
+    """The last thing that happens: of what is said, a junction left behind, a speed reached, a contact, that somebody
+    comes to its stand or that ego's braking for others is over."""
+    seen = ((key, action, m, evidence.times.get(key)) for key, action, m in _seen(requirement, evidence))
+    left = [
+        _leaves(m, t) if action in AT_JUNCTION else _reached(m, t) for _, action, m, t in seen
+        if t is not None and action in (*AT_JUNCTION, *CHANGES_SPEED)
+    ]  # fmt: skip
     stands = [
         float(m.time[len(m.speed) - 1 - int((m.speed[::-1] >= STANDING).argmax())])
         for m in evidence.everybody if m.moves and m.speed[-1] < STANDING
@@ -58,14 +65,20 @@ def _last(requirement: Requirement, moments: list[float], evidence: Evidence) ->
     return max([*moments, *left, *stands, *_braked(requirement, evidence), *(c.time for c in evidence.facts.contacts)])
 
 
-def _passing(requirement: Requirement, evidence: Evidence) -> Iterator[tuple[str, Motion]]:
-    """The phases over a junction among what is said, with those who drive them."""
+def _seen(requirement: Requirement, evidence: Evidence) -> Iterator[tuple[str, str, Motion]]:
+    """The phases of what is said: their ids, their actions, those who drive them."""
     of = requirement.values["of"]
     assert isinstance(of, tuple)
     for key in map(str, of):
         component, _, rest = key.partition(".")
-        if rest.rpartition(".")[2] in AT_JUNCTION:
-            yield from ((key, m) for m in evidence.motions(EGO if component == "E" else component))
+        yield from ((key, rest.rpartition(".")[2], m) for m in evidence.motions(EGO if component == "E" else component))
+
+
+def _reached(motion: Motion, time: float) -> float:
+    """When somebody who gains speed at `time` no longer does."""
+    gaining = motion.acceleration > bounds()["phase"]["change_rate"]["value"] / 2
+    over = np.flatnonzero(~gaining[motion.at(time) :])
+    return float(motion.time[motion.at(time) + int(over[0])]) if len(over) else float(motion.time[-1])
 
 
 def _leaves(motion: Motion, time: float) -> float:

@@ -145,8 +145,8 @@ REACTIONS = {
 
 
 DUE = [  # position, what else S says of the other, s by which it is due, what is tried first
-    ("crossing_left", {}, 0.8, ("placement.arrives", 0.8)),
-    ("opposite_approach", {"arrives": -0.5}, -0.4, ("placement.arrives", -0.9)),
+    ("crossing_left", {}, 0.8, ("placement.later", 0.8)),
+    ("opposite_approach", {"later": -0.5}, -0.4, ("placement.later", -0.9)),
     ("oncoming_lane", {"gap": 80.0}, 0.5, ("placement.gap", 85.0)),
     ("ahead", {"gap": 30.0}, 0.5, ("placement.gap", 25.0)),
 ]
@@ -197,3 +197,26 @@ async def test_settings_switch_the_search_off(engine):
     async for event in engine.generate("A truck ahead of ego brakes hard and ego stops."):
         last = event
     assert "solve" not in [s.name for s in last.stages]
+
+
+def test_all_exact_corrections_are_made_at_once_then_one_by_one_and_by_half():
+    """What the text says of an arrival stays; two who are late are corrected together."""
+    objects = tuple(
+        Component(id=cid, spec=ObjectSpec(speed=10.0, placement=Placement(position=position, arrives=0.0)))
+        for cid, position in (("O1", "crossing_left"), ("O2", "crossing_right"))
+    )
+    structure = Structure(place=Component(id="R", spec=PlaceSpec(kind="intersection")),
+                          ego=Component(id="E", spec=EgoSpec(speed=10.0, reaction="brake")), objects=objects)  # fmt: skip
+    failing = [
+        (Requirement(id=c.id, kind="conflict", component=c.id, text="", check="threatens", actor=c.id, other="ego"),
+         Result(requirement=c.id, holds=False, robustness=-0.5, due=due))
+        for c, due in zip(objects, (-2.0, 1.0), strict=True)
+    ]  # fmt: skip
+    usual = usual_values(structure, 1.0)
+    tried = moves(structure, failing, unknowns(structure, usual), usual)
+    found = [{(u.component, u.path): value for u, value in move} for move in tried]
+    both = {("O1", "placement.later"): -2.0, ("O2", "placement.later"): 1.0}
+    assert found[0] == both
+    for single in ({("O1", "placement.later"): -2.0}, {("O1", "placement.later"): -1.0}, {("O2", "placement.later"): 0.5}):
+        assert single in found
+    assert all(path != "placement.arrives" for move in found for _, path in move)

@@ -21,7 +21,7 @@ def ending(phase: Phase, natural: str) -> str:
 def yields(c: Course, p: Phase) -> list[Step]:
     other, lane = c.actor.ref(p.target), c.actor.to_junction
     go = ([c.drive(c.set(_moving_on(c, p)), 2)], "for 4 seconds")
-    if _in_next_lane(c, p):
+    if in_next_lane(c, p):
         phases = c.actor.spec.phases
         then = phases[phases.index(p) + 1 :] if p in phases else ()
         return [*_let_by(c, other), *([] if then and then[0].action == "lane_change" else [go])]
@@ -66,7 +66,7 @@ def its_turn(actor: Actor, besides: str | None = None) -> str:
     return " and ".join(conditions)
 
 
-def _in_next_lane(c: Course, p: Phase) -> bool:
+def in_next_lane(c: Course, p: Phase) -> bool:
     """Whether the other drives in the lane beside its own, behind it or level with it."""
     spec = c.other(p.target)
     if spec is None or is_static(spec) or is_walker(spec.type) or c.actor.value <= 0:

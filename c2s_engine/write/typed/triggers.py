@@ -11,7 +11,7 @@ from c2s_engine.write.typed.overtakings import pulls_out
 from c2s_engine.write.typed.people import comes_out
 from c2s_engine.write.typed.tables import LENGTH, WORKS, is_static
 from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, standing, threatening
-from c2s_engine.write.typed.towards import before_standing, opposite_standing
+from c2s_engine.write.typed.towards import before_standing, in_next_lane, opposite_standing
 from c2s_engine.write.typed.usual import crosses, speed_of
 
 ASIDE = 1.0
@@ -98,6 +98,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return f"until (distance from self to ego) < {scope.number(12 + 2.2 * (a.value + a.plan.ego_speed))}"
     if first and phase.action in ("brake", "stop") and _comes_over(a):
         return "until need(self, ego) > 1"
+    if phase.action == "yield" and first and in_next_lane(course, phase):
+        return _undisturbed(a)
     if not first or phase.action not in DELAYED or a.value <= 0 or hit_beside(course, phase):
         return ""
     if course.oncoming:

@@ -97,7 +97,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
             others = tuple(a for a in scene.objects if a != actor)
             beside: dict[str, Value] = {"others": others} if others else {}
             yield scene.make("reaction", "reacts", EGO, f"reaction.{actor}", f"Ego reacts to {name} once it can be "
-                             "seen, in time, and not before.", other=actor, action=_onset_of(scene.objects[actor]), hard=scene.ego.hard,
+                             "seen, in time, and not before.", other=actor,
+                             action=_onset_of(scene.objects[actor]), hard=scene.ego.hard,
                              **beside)  # type: ignore[arg-type]  # fmt: skip
 
 
@@ -256,7 +257,8 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
     if not causes:
         return scored(requirement, -1.0, said, f"ego reacts at {time:.1f} s to what it never could see", time)
     cause = min(causes)
-    late, early = time - max(cause, _needed(requirement.other or "", evidence, bool(requirement.values["hard"]))), time - cause
+    needed = _needed(requirement.other or "", evidence, bool(requirement.values["hard"]))
+    late, early = time - max(cause, needed), time - cause
     # a threat from the start has no moment before which a reaction would be too early
     margins = [(most - late) / most, *([(early - least) / least] if cause > 0.0 else [])]
     words = f"at {time:.1f} s, {early:.1f} s after its cause"
@@ -284,8 +286,10 @@ def _cause(motion: Motion, action: str) -> float | None:
 
 
 def _needed(actor: str, evidence: Evidence, hard: bool) -> float:
-    """From when ego has to do something: so long before what would happen without as it needs to stop gently. Objects
-    of several have names of the program's lines, which differ between the two runs: they are found by their component."""
+    """From when ego has to do something: so long before what would happen without as it needs to stop gently.
+
+    Objects of several have names of the program's lines, which differ between the two runs: found by their component.
+    """
     limits, other = bounds()["reaction"], evidence.without
     assert other is not None
     one, ego = other.motion(actor), other.motion(EGO)

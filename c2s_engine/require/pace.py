@@ -13,7 +13,6 @@ from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high
 from c2s_engine.structure.requirements import Requirement, Result
 
-
 CHANGES_SPEED = ("accelerate", "start")
 
 

@@ -205,8 +205,11 @@ def test_all_exact_corrections_are_made_at_once_then_one_by_one_and_by_half():
         Component(id=cid, spec=ObjectSpec(speed=10.0, placement=Placement(position=position, arrives=0.0)))
         for cid, position in (("O1", "crossing_left"), ("O2", "crossing_right"))
     )
-    structure = Structure(place=Component(id="R", spec=PlaceSpec(kind="intersection")),
-                          ego=Component(id="E", spec=EgoSpec(speed=10.0, reaction="brake")), objects=objects)  # fmt: skip
+    structure = Structure(
+        place=Component(id="R", spec=PlaceSpec(kind="intersection")),
+        ego=Component(id="E", spec=EgoSpec(speed=10.0, reaction="brake")),
+        objects=objects,
+    )
     failing = [
         (Requirement(id=c.id, kind="conflict", component=c.id, text="", check="threatens", actor=c.id, other="ego"),
          Result(requirement=c.id, holds=False, robustness=-0.5, due=due))
@@ -217,6 +220,6 @@ def test_all_exact_corrections_are_made_at_once_then_one_by_one_and_by_half():
     found = [{(u.component, u.path): value for u, value in move} for move in tried]
     both = {("O1", "placement.later"): -2.0, ("O2", "placement.later"): 1.0}
     assert found[0] == both
-    for single in ({("O1", "placement.later"): -2.0}, {("O1", "placement.later"): -1.0}, {("O2", "placement.later"): 0.5}):
-        assert single in found
+    for cid, value in (("O1", -2.0), ("O1", -1.0), ("O2", 0.5)):
+        assert {(cid, "placement.later"): value} in found
     assert all(path != "placement.arrives" for move in found for _, path in move)

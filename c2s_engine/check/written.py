@@ -183,10 +183,8 @@ class Written:
                 raise NotWritten
             return None
         compared = _comparison(step.until)
-        if compared is not None and isinstance(compared[1], ast.GtE) and isinstance(compared[0], ast.BinOp):
-            names = {n.attr for n in ast.walk(compared[0]) if isinstance(n, ast.Attribute)}
-            if names == {"currentTime", "timestep"} and isinstance(compared[0].op, ast.Mult):
-                return Trigger(kind="time", value=self._exactly(compared[2]))
+        if compared is not None and isinstance(compared[1], ast.GtE) and _called(compared[0]) == "clock":
+            return Trigger(kind="time", value=self._exactly(compared[2]))
         found = self.trigger(step.until)
         if found is None:
             raise NotWritten

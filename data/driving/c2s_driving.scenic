@@ -534,10 +534,11 @@ def _gone_by(car, walkers):
     return most_need(car, walkers) <= 0 and all(passed(one, car, margin=2.5) for one in walkers)
 
 behavior BrakeFor(points, threats, least=1, release=0, stands=None):
-    """Brake for one, several, or those that a function gives: a little harder than it takes, with `least` m/s2 or more,
-    until it takes no more than `release`; with `stands` to a stand, and until it takes no more than that."""
+    """Brake for one, several, or those that a function gives: a little harder than it takes, with `least` m/s2 or more at
+    first, until it takes no more than `release`; with `stands` to a stand, and until it takes no more than that."""
     enough, slow = (release, math.inf) if stands is None else (stands, 0.2)
-    rate = lambda: max(least, min(9, 1.1 * _force(self, threats)))
+    eased = 0.6 * self.speed
+    rate = lambda: max(least if self.speed > eased else min(least, 1), min(9, 1.1 * _force(self, threats)))
     do Drive(points, 0, rate=rate) until self.speed < slow and _force(self, threats) <= enough
 
 behavior EmergencyStop(points, threats, rate=8):
@@ -629,12 +630,23 @@ def along_line(points, spot):
     onward = (points[min(k + 1, len(points) - 1)] - points[max(k - 1, 0)]).normalized()
     return 2 * k + (spot - points[k]).dot(onward), abs((spot - points[k]).dot(onward.rotatedBy(90 deg)))
 
-def sets_off(car):
-    """Whether `car` has just set out and gains speed."""
+def recent_speeds(car, steps):
+    """The speeds of `car` in the last steps that were looked at, by step."""
     now = simulation().currentTime
     known = getattr(car, 'speeds', {}) if now > 0 else {}
-    car.speeds = {time: speed for time, speed in known.items() if now - 2 <= time < now} | {now: car.speed}
-    return car.speed < 3 and car.speed > min(car.speeds.values()) + 0.02
+    car.speeds = {time: speed for time, speed in known.items() if now - 20 < time < now} | {now: car.speed}
+    return {time: speed for time, speed in car.speeds.items() if time >= now - steps}
+
+def sets_off(car):
+    """Whether `car` has just set out and gains speed."""
+    return car.speed < 3 and car.speed > min(recent_speeds(car, 2).values()) + 0.02
+
+def slowing(car, seconds=0.5):
+    """The deceleration (m/s2) of `car` in the last so many seconds; 0 where it has not been looked at for so long."""
+    step = simulation().timestep
+    known = recent_speeds(car, round(seconds / step))
+    first, now = min(known), simulation().currentTime
+    return max(0, (known[first] - car.speed) / seconds) if (now - first) * step > seconds - step / 2 else 0
 
 def seconds_to(car, points, metres):
     """The time (s) until the front of `car` is so far (m) along its points, if it goes on as it does: slower in bends,
@@ -656,7 +668,7 @@ def sets_out(self, car, points, speed, arrives, rate=math.inf):
     gained = speed ** 2 / (2 * rate)
     time = metres / speed + speed / (2 * rate) if metres > gained else math.sqrt(2 * metres / rate)
     if car.speed < 0.3:
-        return simulation().currentTime * simulation().timestep > 1.5 and (distance from self to car) < 25
+        return clock() > 1.5 and (distance from self to car) < 25
     return seconds_to(car, points, there) < time - arrives + simulation().timestep / 2
 
 def pulls_out(self, car, points, rate, arrives):
@@ -665,7 +677,7 @@ def pulls_out(self, car, points, rate, arrives):
     there, metres = along_line(points, self.position)
     time = math.sqrt(2 * 2.2 * max(metres - (self.width + car.width) / 2, 0.5) / rate)  # 2.2 m on for 1 m aside
     if car.speed < 0.3:
-        return simulation().currentTime * simulation().timestep > 1.5 and (distance from self to car) < 25
+        return clock() > 1.5 and (distance from self to car) < 25
     there += self.length / 2 + rate * time ** 2 / 2
     return seconds_to(car, points, there) < time - arrives + simulation().timestep / 2
 
@@ -714,9 +726,13 @@ monitor OnceSeen(conditions, held=1, seconds=1.5):
 
 # How one stands to another
 
+def clock():
+    """The time (s) since the run began."""
+    return simulation().currentTime * simulation().timestep
+
 def need(car, other):
-    """The deceleration (m/s2) that keeps `car` from reaching `other`, if both go on as they do; 0: no conflict, or one
-    that crosses can still stop at its line."""
+    """The deceleration (m/s2) that keeps `car` from reaching `other`, if both go on as they do, and at least as much as
+    one close ahead in its way slows down with; 0: no conflict, or one that crosses can still stop at its line."""
     place = (other.position - car.position).rotatedBy(-car.heading)
     motion = other.velocity.rotatedBy(-car.heading)
     across = abs(math.sin(other.heading - car.heading))
@@ -729,15 +745,19 @@ def need(car, other):
         return 0
     if gap < 8 and car.speed < 2 and motion.y < 1 and abs(place.x) < reach:
         return 9
+    braking = slowing(other) if across < 0.5 and motion.y > 0 and abs(place.x) < reach and gap < CLOSE * car.speed else 0
+    least = min(braking, 5.8) if braking > 2 else 0
     if closing <= 0.1:
-        return 0
+        return least
     there = place.x + motion.x * max(gap, 0) / closing
     gone = place.x + motion.x * (max(gap, 0) + car.length + other.width) / closing
     if min(there, gone) > reach or max(there, gone) < -reach:
-        return 0
+        return least
     if gap < 2 + 0.7 * motion.y:
         return 9
-    return closing ** 2 / (2 * max(gap - 2 - 0.5 * max(motion.y, 0), 0.3))
+    return max(least, closing ** 2 / (2 * max(gap - 2 - 0.5 * max(motion.y, 0), 0.3)))
+
+CLOSE = 2.5  # s behind another within which one brakes as soon as that does
 
 def in_way(points, other, room=1):
     """Whether `other` is within `room` m of the middle of a way, its points."""
@@ -748,7 +768,7 @@ REACTION_TIME = 0.3  # s from when somebody comes into view to a reaction
 
 def noticed(car, others, overlooked):
     """Those of the others whom `car` has not `overlooked` (a function of one) for `REACTION_TIME`."""
-    now = simulation().currentTime * simulation().timestep
+    now = clock()
     car.unseen_at = getattr(car, 'unseen_at', {}) if now > 0 else {}
     for other in others:
         if overlooked(other):
@@ -1111,7 +1131,7 @@ def _along_roads(fits, length=0, least=0, limit=None, **lanes):
         long = [_longer(place, metres, over, lanes, ahead=True) for place in found]
         long = [place for place in long if place and (over is None or fits(place.lane))]
         if long:
-            return _posted(long, limit)
+            return _posted(_exactly(lanes.get('lanes'), long), limit)
     if lanes.get('lanes') == 1:  # no road that long has only one
         return _along_roads(fits, length, least, limit, **{**lanes, 'lanes': None})
     return []
@@ -1129,8 +1149,12 @@ def _at_junctions(places, approach, exit, limit, lanes, others=(), roundabout=Fa
                 found.append(Place(place.lane, place.turn, place.mark, place.merging, place.beside, reached,
                                    place.longer, place.exit))
         if found:
-            return _posted(found, limit)
+            return _posted(_exactly(lanes.get('lanes'), found), limit)
     return []
+
+def _exactly(lanes, places):
+    """The places with so many lanes in ego's direction, if there are any, else those with more."""
+    return [place for place in places if len(place.lane.group.lanes) == lanes] or places
 
 def _longer(place, metres, over, lanes, ahead=False, exit=0):
     """The place with ego's lane of `metres` up to its end (`ahead`: from its start) and `exit` m behind the junction,

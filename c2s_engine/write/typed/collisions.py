@@ -8,7 +8,7 @@ from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, MOVES_OFF_
 from c2s_engine.write.typed.threats import slowed
 from c2s_engine.write.typed.usual import SETS_OUT
 
-LATE = "simulation().currentTime * simulation().timestep > 12"
+LATE = "clock() > 12"
 """When whoever is to hit another no longer waits for that one to slow down."""
 CLOSE = 0.6
 """s behind ego: too little for who then does not stop."""

@@ -12,6 +12,7 @@ from c2s_engine.write.typed.pockets import own_ways
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, OBSTRUCTING, TURN, is_static, is_vehicle
 from c2s_engine.write.typed.threats import IN_WAY, is_hit
 from c2s_engine.write.typed.usual import LONGEST_VIEW, UNDISTURBED, default_gap, speed_of
+from c2s_engine.write.typed.waiting import together
 
 BEYOND = 15
 """m from whom ego runs into to what stands further on."""
@@ -31,7 +32,7 @@ AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
 
 def normal(structure: Structure) -> Structure:
     """S as the writer reads it."""
-    structure = own_ways(beside_ego(structure))
+    structure = own_ways(beside_ego(together(structure)))
     place, ego = structure.place.spec, structure.ego.spec
     assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
     turn = _turn(place, ego)

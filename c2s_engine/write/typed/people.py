@@ -255,7 +255,7 @@ def _sets_out(
     other = scope.reference(structure, t.of) if t and t.of else "ego"
     value = scope.number(middle(t.value)) if t and t.value is not None else ""
     if t and t.kind == "time":
-        return f"simulation().currentTime * simulation().timestep >= {value or 2}"
+        return f"clock() >= {value or 2}"
     if t and t.kind == "ttc" and value and other == "ego":
         return f"seconds_to(ego, line, along_line(line, self.position)[0]) < {value}"
     if t and t.kind == "distance" and value:
@@ -267,7 +267,7 @@ def _sets_out(
 
         return observed(structure, other, t.of or "ego", t.action)
     if _ego_stays(structure, plan):
-        return "simulation().currentTime * simulation().timestep >= 2"
+        return "clock() >= 2"
     gained = f", {scope.number(rate)}" if rate else ""
     found = f"sets_out(self, ego, line, {speed}, {scope.constant(structure, cid)}_ARRIVES{gained})"
     return f"{found} or {scope.reference(structure, cid)}.speed > 0.3" if spec.count > 1 else found

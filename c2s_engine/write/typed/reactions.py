@@ -31,6 +31,8 @@ CAREFUL = 1.5
 FULL = {"wet": 7.0, "rain": 7.0, "heavy_rain": 6.0, "snow": 4.0}
 """m/s2 of an emergency braking, by the weather; else `DRY`."""
 DRY = 8.0
+LAST_MOMENT = 0.7
+"""The share of an emergency braking that it takes when that begins."""
 STILL = 3
 """m/s at which ego still is when it reaches whom it brakes for too late."""
 
@@ -70,6 +72,7 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     full = grip(actor.structure, FULL, DRY) if spec.hard and not stands else 0
     stated = [middle(p.rate) for p in spec.phases if p.action in ("brake", "stop") and p.rate is not None]
     full = stated[0] if full and stated else full
+    limit = round(LAST_MOMENT * full, 1) if full else limit
     if not on_foot:
         brakes = _stops(threats, full) if full else _brakes(threats, rate, stands=limit if stands else 0)
         ring = [c for c in cids if _position(actor.structure, c) == "circulating"]

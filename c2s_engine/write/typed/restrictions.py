@@ -7,7 +7,6 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.triggers import observed
 
 AT_START = {"distance", "visible", "not_visible"}
-CLOCK = "simulation().currentTime * simulation().timestep"
 
 
 def write_restrictions(structure: Structure, plan: Plan) -> str:
@@ -19,7 +18,7 @@ def write_restrictions(structure: Structure, plan: Plan) -> str:
         when = "" if c.kind in AT_START else "eventually "
         lines.append(f"require {when}{_condition(structure, c)}")
     for c in spec.terminate_when:
-        guard = "" if c.kind == "time" else f"{CLOCK} > 1 and "  # a run does not end as it begins
+        guard = "" if c.kind == "time" else "clock() > 1 and "  # a run does not end as it begins
         lines.append(f"terminate when {guard}{_condition(structure, c)}")
     if not spec.terminate_when and spec.duration is None and (seen := over.conditions(structure, plan)):
         lines += ["require monitor OnceSeen([", *(f"    lambda: {one}," for one in seen), "])"]
@@ -42,7 +41,7 @@ def _condition(structure: Structure, c: Condition) -> str:
     if c.kind in ("visible", "not_visible"):
         return f"{'' if c.kind == 'visible' else 'not '}({subject} can see {other})"
     if c.kind == "time":
-        return f"({CLOCK} >= {scope.number(c.minimum or 0)})"
+        return f"(clock() >= {scope.number(c.minimum or 0)})"
     if c.kind == "stopped":
         return f"({subject}.speed < 0.2)"
     if c.kind == "collision":

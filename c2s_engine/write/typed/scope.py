@@ -16,9 +16,9 @@ def number(value: float) -> str:
 
 def quantity(value: float | tuple[float, float]) -> str:
     """A quantity as Scenic: a number, or Range(low, high)."""
-    if isinstance(value, tuple | list):
+    if isinstance(value, tuple | list) and low(value) != high(value):
         return f"Range({number(low(value))}, {number(high(value))})"
-    return number(value)
+    return number(low(value))
 
 
 def variables(structure: Structure) -> dict[str, str]:

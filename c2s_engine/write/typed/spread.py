@@ -12,7 +12,7 @@ from c2s_engine.write.typed.forms import normal
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.pockets import pocketed
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, is_vehicle
-from c2s_engine.write.typed.usual import at_corner, default_gap, right_behind, row_length, speed_of
+from c2s_engine.write.typed.usual import at_corner, crosses, default_gap, right_behind, row_length, speed_of
 
 _ROW = {"partly_in_lane": "ahead", "roadside": "kerb", "sidewalk": "kerb", "parked": "kerb"}
 ROOM = 3.0
@@ -74,7 +74,7 @@ def _rows(structure: Structure) -> Structure:
             continue
         if spec.placement.position in APPROACH_ANGLE or at_corner(spec, place):  # type: ignore[arg-type]
             continue
-        start = default_gap(spec, speed, place)  # type: ignore[arg-type]
+        start = default_gap(_followed(structure, spec), speed, place)  # type: ignore[arg-type]
         gap = start + _between(component.id, structure, speed)
         room = TO_PULL_OUT if _comes_later(spec) else ROOM
         while any(gap < end + room and begin < gap + size + room for begin, end in row):
@@ -86,6 +86,13 @@ def _rows(structure: Structure) -> Structure:
                 component.model_copy(update={"spec": spec.model_copy(update={"placement": moved})})
             )
     return structure
+
+
+def _followed(structure: Structure, spec: ObjectSpec) -> ObjectSpec:
+    """Whom somebody beside the road sets out after who waits for that, from where that one does; else itself."""
+    trigger = spec.phases[0].trigger if spec.phases else None
+    other = structure[trigger.of].spec if trigger and trigger.kind == "action" and trigger.of in structure else None
+    return other if isinstance(other, ObjectSpec) and crosses(spec) and crosses(other) else spec
 
 
 def _between(cid: str, structure: Structure, speed: float) -> float:

@@ -31,7 +31,7 @@ def stated(course: Course, phase: Phase) -> str:
     value = middle(t.value) if t.value is not None else None
     if t.kind == "time":
         at = (value or 0) + (middle(t.delay) if t.delay is not None else 0)
-        return f"until simulation().currentTime * simulation().timestep >= {scope.number(at or 3)}"
+        return f"until clock() >= {scope.number(at or 3)}"
     if t.kind == "ttc":
         return f"until ttc(self, {other}) < {scope.number(value or 3)}"
     if t.kind == "place":
@@ -131,7 +131,7 @@ def _before(course: Course, cid: str | None) -> str:
 def observed(structure: Structure, other: str, cid: str, action: str | None) -> str:
     """What can be seen of another's action while it is at it."""
     if action == "stop":  # whoever drives has its speed from the first step on
-        return f"simulation().currentTime * simulation().timestep > 1 and {other}.speed < 0.3"
+        return f"clock() > 1 and {other}.speed < 0.3"
     if action in ("stationary", "wait"):
         return f"{other}.speed < 0.3"
     spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
@@ -226,7 +226,8 @@ def _confronted(course: Course, phase: Phase) -> bool:
     a = course.actor
     cid = phase.target or getattr(a.spec, "react_to", None)
     if cid is None:
-        return any(_in_front(a, c) and _presses(course, c) for c in threatening(a.structure))
+        forcing = (c for c in threatening(a.structure) if not _awaits(a.structure, c, phase.action))
+        return any(_in_front(a, c) and _presses(course, c) for c in forcing)
     if cid == "ego" or cid not in a.structure:
         return False
     spec = a.structure[cid].spec
@@ -236,6 +237,12 @@ def _confronted(course: Course, phase: Phase) -> bool:
         comes = any(p.action in ("cut_in", "overtake") for p in spec.phases) and phase.action in ("brake", "stop")
         return comes and getattr(a.spec, "reaction", "") != "yield"  # else it has been let by
     return (spec.placement.position in IN_WAY or not is_static(spec)) and _presses(course, cid)
+
+
+def _awaits(structure: Structure, cid: str, action: str) -> bool:
+    """Whether an object begins something when ego does what that is then no answer to."""
+    triggers = [p.trigger for p in getattr(structure[cid].spec, "phases", ()) if p.trigger is not None]
+    return any(t.kind == "action" and t.of == "ego" and t.action == action for t in triggers)
 
 
 def _presses(course: Course, cid: str) -> bool:

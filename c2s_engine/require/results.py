@@ -44,8 +44,9 @@ def between(requirement: Requirement, value: float, room: float, said: str, seen
 
 def decided(requirement: Requirement, holds: bool, said: str, seen: str, time: float | None = None,
             why: str = "", due: float | None = None) -> Result:  # fmt: skip
-    """It holds or it does not, by nothing between."""
-    return scored(requirement, 1.0 if holds else -1.0, said, seen, time, why, due=due)
+    """It holds or it does not, by nothing between but the s by which it is `due`."""
+    fails = -1.0 if not due else -min(1.0, abs(due))
+    return scored(requirement, 1.0 if holds else fails, said, seen, time, why, due=due)
 
 
 def unknown(requirement: Requirement, said: str, why: str) -> Result:

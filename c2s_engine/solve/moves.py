@@ -20,6 +20,8 @@ Move = tuple[Setting, ...]
 """What is tried at once."""
 AFTER = 3.0
 """s for which a run goes on after the last of what is said."""
+SHARES = (1.0, 0.5, 0.25)
+"""Of what the run says one is too early or late."""
 ROOM = 0.4
 """s by which the first event comes within its bounds."""
 TIMES = ("first_event", "reacts")
@@ -58,10 +60,10 @@ def _ending(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unkno
 
 def _exact(structure: Structure, requirement: Requirement, result: Result, open_: Sequence[Unknown],
            usual: Usual) -> Iterator[Move]:  # fmt: skip
-    """Corrections by as much as the run says, and by half of it: one that sets out a step later may be far later."""
+    """Corrections by as much as the run says, and by less: one that sets out a step later may be far later."""
     if result.due is not None:
-        whole, half = (list(_in_time(structure, requirement, share * result.due, open_, usual)) for share in (1.0, 0.5))
-        yield from (*whole[:1], *half[:1], *whole[1:2])
+        whole, *parts = (list(_in_time(structure, requirement, share * result.due, open_, usual)) for share in SHARES)
+        yield from (*whole[:1], *(part[0] for part in parts if part), *whole[1:2])
     if requirement.check in TIMES and result.value is not None and result.bounds is not None:
         below = result.value < result.bounds[0]
         due = result.bounds[0] + ROOM if below else result.bounds[1] - ROOM

@@ -1,31 +1,16 @@
 """One form for each thing that S can say in several: positions that the place or a manoeuvre turns into others."""
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.alongside import beside_ego
 from c2s_engine.write.typed.facing import facing
 from c2s_engine.write.typed.hiding import standing
-from c2s_engine.write.typed.lanes import pulls_out
 from c2s_engine.write.typed.passing import passing
 from c2s_engine.write.typed.pockets import own_ways
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, OBSTRUCTING, TURN, is_static, is_vehicle
-from c2s_engine.write.typed.threats import IN_WAY, is_hit
-from c2s_engine.write.typed.usual import LONGEST_VIEW, UNDISTURBED, default_gap, speed_of
+from c2s_engine.write.typed.tables import OBSTRUCTING, TURN, is_static, is_vehicle
+from c2s_engine.write.typed.threats import IN_WAY
 from c2s_engine.write.typed.waiting import together
 
-BEYOND = 15
-"""m from whom ego runs into to what stands further on."""
-OPEN_ROADS = {"road", "straight", "motorway"}
-CALM = {"keep_lane", "move_along", "follow", "go_straight"}
-CLOSING = 2.0
-"""m/s by which one is slower whom ego plainly catches up with."""
-ALONE = 10.0
-"""s that ego drives at its own speed before it slows for who is slower."""
-ABRUPT = 6.0
-"""m/s2 at which one brakes who is then run into."""
-PASSES_IN = 3.0
-"""s that somebody who comes along the road is away from where ego comes onto it."""
 AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
 """What somebody does about, or to, what lies in its way."""
 
@@ -49,88 +34,11 @@ def normal(structure: Structure) -> Structure:
             place = place.model_copy(update={"oncoming": place.oncoming is not False or None})
         elif _leaves_side_road(spec, place, turn):
             found = spec.model_copy(update={"phases": _with_turn(spec.phases)})
-        elif _passes_where_ego_comes_out(component.id, spec, ego):
-            hits = [p for p in spec.phases if p.action == "collide"] or [Phase(action="collide", target="ego")]
-            found = _placed(spec, position="behind", gap=round(PASSES_IN * max(middle(speed_of(spec, place)), 5)))
-            found = found.model_copy(update={"phases": tuple(hits)})
-        elif _met_in_turn(component.id, spec, ego, turn):
-            found = spec.model_copy(update={"phases": (*spec.phases, Phase(action="collide", target="ego"))})
-        elif _is_let_by(component.id, spec, ego):
-            found = spec.model_copy(update={"phases": (Phase(action="overtake", target="ego"),)})
         if found is not spec:
             structure = structure.with_spec(component.id, found)
     if place is not structure.place.spec:
         structure = structure.with_spec("R", place)
-    structure = _stopped_when_struck(_struck_first(passing(standing(structure), place), ego), ego)
-    return facing(_caught_late(structure, ego), place)
-
-
-def _struck_first(structure: Structure, ego: EgoSpec) -> Structure:
-    """What stands in ego's lane beyond whom ego runs into there, where nothing says what comes first."""
-    ahead = [c for c in structure.objects if isinstance(c.spec, ObjectSpec) and _open_ahead(c.spec)]
-    hit = next((c.id for c in ahead if is_hit(ego, c.id)), None)
-    if hit is None or any(p.action not in ("collide", "brake", "accelerate", "keep_lane") for p in ego.phases):
-        return structure
-    struck = structure[hit].spec
-    assert isinstance(struck, ObjectSpec)
-    beyond = default_gap(struck, middle(ego.speed or 0)) + struck.count * (LENGTH[struck.type] + 3) + BEYOND
-    for c in ahead[: [c.id for c in ahead].index(hit)]:
-        assert isinstance(c.spec, ObjectSpec)
-        if is_static(c.spec):
-            structure = structure.with_spec(c.id, _placed(c.spec, gap=round(beyond)))
-    return structure
-
-
-def _caught_late(structure: Structure, ego: EgoSpec) -> Structure:
-    """The only other one that moves, slower than ego and ahead of it, so far off that ego drives at its own speed for
-    longer than it then stays behind."""
-    movers = [c for c in structure.objects if isinstance(c.spec, ObjectSpec) and not is_static(c.spec)]
-    place = structure.place.spec
-    assert isinstance(place, PlaceSpec)
-    if len(movers) != 1 or ego.reaction not in ("brake", "follow") or place.kind not in OPEN_ROADS:
-        return structure
-    slow = movers[0].spec
-    assert isinstance(slow, ObjectSpec)
-    calm = all(p.action in CALM and p.trigger is None and p.speed is None for p in (*slow.phases, *ego.phases))
-    if not calm or not _open_ahead(slow) or slow.placement.facing is not None or slow.count > 1:
-        return structure
-    own, other = middle(speed_of(ego, place)), middle(speed_of(slow, place))
-    closing = own - other
-    if closing < CLOSING:
-        return structure
-    room = 4 + 1.5 * other + 2.5 * closing if ego.reaction == "follow" else closing**2 / 4 + 4
-    gap = round(min(ALONE * closing + room, LONGEST_VIEW))
-    return structure.with_spec(movers[0].id, _placed(slow, gap=gap))
-
-
-def _stopped_when_struck(structure: Structure, ego: EgoSpec) -> Structure:
-    """Who stops in ego's lane before ego runs into it: hard, and so far ahead that it stands by then."""
-    place, lead = structure.place.spec, None
-    assert isinstance(place, PlaceSpec)
-    for component in structure.objects:
-        spec = component.spec
-        assert isinstance(spec, ObjectSpec)
-        lead = component if _open_ahead(spec) and not is_static(spec) else lead
-        behind_lead = lead is not None and spec.placement.position == "behind" and spec.placement.of == lead.id
-        if lead is None or component is not lead and not behind_lead or not is_hit(ego, component.id):
-            continue
-        if [p.action for p in spec.phases] != ["stop"] or spec.phases[0].trigger is not None:
-            continue
-        stop = spec.phases[0].model_copy(update={"rate": spec.phases[0].rate or ABRUPT})
-        own, rate = middle(speed_of(spec, place)), middle(stop.rate or ABRUPT)
-        standing_after = UNDISTURBED + own / rate + 0.8
-        gap = middle(speed_of(ego, place)) * standing_after - own * UNDISTURBED - own**2 / (2 * rate)
-        structure = structure.with_component(
-            component.model_copy(update={"spec": spec.model_copy(update={"phases": (stop,)})})
-        )
-        first = structure[lead.id]
-        assert isinstance(first.spec, ObjectSpec)
-        if component is not lead:
-            gap += LENGTH[spec.type] + default_gap(spec, own, place)
-        if gap > default_gap(first.spec, middle(speed_of(ego, place)), place):
-            placed = _placed(first.spec, gap=round(min(gap, LONGEST_VIEW)))
-            structure = structure.with_spec(first.id, placed)
-    return structure
+    return facing(passing(standing(structure), place), place)
 
 
 def _open_ahead(spec: ObjectSpec) -> bool:
@@ -165,22 +73,6 @@ def _meets_turning(spec: ObjectSpec, place: PlaceSpec, turn: str | None) -> bool
     return spec.placement.of == "ego" and (own or turn == "left")
 
 
-def _passes_where_ego_comes_out(cid: str, spec: ObjectSpec, ego: EgoSpec) -> bool:
-    """Whether somebody who drives along the road collides with ego, which comes onto it from beside it."""
-    collides = is_hit(ego, cid) or any(p.action == "collide" and p.target in (None, "ego") for p in spec.phases)
-    plain = {p.action for p in spec.phases} <= {"collide", "keep_lane", "go_straight", "move_along"}
-    return pulls_out(ego) and collides and plain and _open_ahead(spec) and spec.placement.facing is None
-
-
-def _met_in_turn(cid: str, spec: ObjectSpec, ego: EgoSpec, turn: str | None) -> bool:
-    """Whether ego runs, in its turn, into one that goes straight on over the junction: both drive at each other."""
-    actions = [p.action for p in ego.phases]
-    after = "turn_left" in actions and "collide" in actions[actions.index("turn_left") :]
-    if turn != "left" or not after or not is_hit(ego, cid) or spec.placement.position not in APPROACH_ANGLE:
-        return False
-    return {p.action for p in spec.phases} <= {"go_straight", "keep_lane", "run_red", "run_stop", "move_along"}
-
-
 def _leaves_side_road(spec: ObjectSpec, place: PlaceSpec, turn: str | None) -> bool:
     """Whether somebody, nobody says how, comes out of the side road that ego passes: it cannot but turn."""
     if place.kind != "intersection" or place.arms != 3 or turn not in (None, "straight"):
@@ -193,14 +85,6 @@ def _with_turn(phases: tuple[Phase, ...]) -> tuple[Phase, ...]:
     """Some phases with a turn to the left, across ego's way, before what ends there."""
     at = next((i for i, p in enumerate(phases) if p.action == "collide"), len(phases))
     return (*phases[:at], Phase(action="turn_left"), *phases[at:])
-
-
-def _is_let_by(cid: str, spec: ObjectSpec, ego: EgoSpec) -> bool:
-    """Whether ego makes way for one that comes up behind it in its lane: that one then goes by."""
-    stays = not any(p.action in ("lane_change", "cut_out") for p in ego.phases)
-    let_by = ego.reaction == "yield" and ego.react_to == cid
-    let_by = let_by or any(p.action == "yield" and p.target == cid for p in ego.phases)
-    return let_by and spec.placement.position == "behind" and stays and not spec.phases
 
 
 def _placed(spec: ObjectSpec, **changes: object) -> ObjectSpec:

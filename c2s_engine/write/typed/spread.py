@@ -5,7 +5,7 @@ from functools import lru_cache
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec, RestrictionsSpec
-from c2s_engine.write.typed import rear_ends, traffic
+from c2s_engine.write.typed import traffic
 from c2s_engine.write.typed.apart import apart
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.forms import normal
@@ -54,7 +54,7 @@ def _spread(
         objects=tuple(Component(id=cid, spec=spec) for cid, spec in objects),
         restrictions=Component(id="T", spec=restrictions),
     )
-    found = apart(_rows(traffic.solved(rear_ends.solved(normal(found)))))
+    found = apart(_rows(traffic.solved(normal(found))))
     return (found.place.spec, found.ego.spec, *(c.spec for c in found.objects))  # type: ignore[return-value, arg-type]
 
 

@@ -43,7 +43,7 @@ def solved(structure: Structure) -> Structure:
 
 
 def _at_pace(structure: Structure) -> Structure:
-    """Those who drive plainly in ego's direction, nobody says how fast, as fast as the one they are placed by; ego as
+    """Those who drive plainly on ego's road, nobody says how fast, as fast as the one they are placed by; ego as
     fast as the one beside it or that it follows."""
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
@@ -76,7 +76,7 @@ def _pace_for_ego(structure: Structure, ego: EgoSpec) -> float | None:
 
 
 def _open_pace(spec: ObjectSpec) -> bool:
-    placed = spec.placement.position in LANES and spec.placement.facing in (None, "along")
+    placed = spec.placement.position in {*LANES, "oncoming_lane"} and spec.placement.facing in (None, "along")
     plain = {p.action for p in spec.phases} <= PLAIN and (not spec.phases or spec.phases[0].speed is None)
     return placed and plain and is_vehicle(spec.type) and spec.type != "bicycle" and spec.speed is None
 

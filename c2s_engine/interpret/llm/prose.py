@@ -11,7 +11,7 @@ import yaml
 from c2s_engine.interpret.llm import words
 from c2s_engine.interpret.llm.schema import accepts, described
 
-UNMET = "what these fields cannot say, such as paces in words"
+UNMET = "what these fields cannot say"
 EXAMPLES = 2
 MANY = 8
 """Choices from which on they are not listed a second time."""

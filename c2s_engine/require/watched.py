@@ -64,9 +64,14 @@ def judged_here(t: Trigger, actor: str) -> bool:
 
 def words(scene: Scene, t: Trigger, actor: str) -> str:
     """A trigger as sentences say it."""
-    one = scene.named(t.subject or actor)
-    other = scene.named(t.of or _other(scene, t.subject or actor))
-    value = f"{middle(t.value):g}" if t.value is not None else "some"
+    subject = t.subject or actor
+    return clause(t, scene.named(subject), scene.named(t.of or _other(scene, subject)))
+
+
+def clause(t: Trigger, one: str, other: str) -> str:
+    """What a trigger watches, in words; `one`, `other`: how its subject and the other are called."""
+    value = f"{low(t.value):g}" if t.value is not None else "some"
+    value += f" to {high(t.value):g}" if t.value is not None and high(t.value) > low(t.value) else ""
     action, place = (t.action or "").replace("_", " "), (t.place or "").replace("_", " ")
     patterns = {
         "distance": f"{one} is {value} m from {other}", "apart": f"{one} is as far as {value} m from {other}",
@@ -77,7 +82,10 @@ def words(scene: Scene, t: Trigger, actor: str) -> str:
         "contact": f"{one} and {other} touch", "place": f"{one} is {value} m before the {place}",
     }  # fmt: skip
     inside = {"in_intersection": "in", "past_intersection": "past"}.get(t.place or "")
-    return f"{one} is {inside} the intersection" if inside else patterns[t.kind]
+    said = f"{one} is {inside} the intersection" if inside else patterns[t.kind]
+    if t.kind == "place" and not inside and (t.value is None or high(t.value) == 0):
+        said = f"{one} is at the {place}"
+    return said + (f", and {low(t.delay):g} s later" if t.delay is not None else "")
 
 
 def _other(scene: Scene, subject: str) -> str:

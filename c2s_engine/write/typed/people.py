@@ -112,7 +112,7 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
     across = f"self.heading {'-' if spec.placement.side == 'left' else '+'} 90 deg"
     heading = across if walks_first(spec) else "self.heading"
     usual = f"{scope.constant(structure, cid)}_SPEED"
-    lines = [f"line = {_egos_way(plan)}"] if any(p.action in {*ACROSS, "leave_road"} for p in phases) else []
+    lines = [f"line = {_egos_way(plan)}"] if any(map(_by_egos_way, phases)) else []
     begun = False
     for i, phase in enumerate(phases):
         then = phases[i + 1] if i + 1 < len(phases) else None
@@ -147,6 +147,11 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
         if then is not None and waits and then.trigger and then.trigger.delay is not None:
             lines.append(f"{lines[-1].removesuffix(until)} for {scope.quantity(then.trigger.delay)} seconds")
     return lines
+
+
+def _by_egos_way(phase: Phase) -> bool:
+    """Whether what somebody does, or when, is told by ego's way."""
+    return phase.action in {*ACROSS, "leave_road"} or phase.trigger is not None and phase.trigger.kind == "ttc"
 
 
 def comes_out(structure: Structure, cid: str, plan: Plan, phase: Phase, pace: float) -> str:

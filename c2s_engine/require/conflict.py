@@ -36,6 +36,10 @@ ANSWERS = ("brake", "stop", "swerve", "lane_change", "yield", "wait")
 """What ego does of its own accord in answer to another, where it names whom or waits for what that one does."""
 
 
+GONE_BY = ("apart", "passed", "speed", "light", "place")
+"""What one waits for that is no threat any more, or never was."""
+
+
 def answers(phase: Phase, structure: Structure) -> bool:
     """Whether a phase of ego is an answer to another: it names whom, waits for what that one does, or has no other
     cause (a moment, a place, a light or sign) where ego reacts."""
@@ -43,7 +47,9 @@ def answers(phase: Phase, structure: Structure) -> bool:
         return False
     trigger, place = phase.trigger, structure.place.spec
     if phase.target is not None:
-        return phase.gap is None
+        return phase.gap is None and (phase.clearance is None or phase.action != "stop")
+    if trigger is not None and (trigger.subject not in (None, EGO) or trigger.kind in GONE_BY):
+        return False  # it waits for its chance
     if trigger is not None:
         return trigger.of is not None or trigger.kind in ("distance", "ttc", "action")
     stands = phase.action in ("brake", "stop", "wait")

@@ -1,11 +1,23 @@
 """S to requirements: the parts in the order in which they are told."""
 
-from c2s_engine.require import actors, conflict, manoeuvres, natural, outcome, pace, phases, road, rules, starts
+from c2s_engine.require import (
+    actors,
+    conflict,
+    manoeuvres,
+    natural,
+    outcome,
+    pace,
+    phases,
+    road,
+    rules,
+    starts,
+    watched,
+)
 from c2s_engine.require.scene import Scene
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.requirements import Requirement
 
-PARTS = (road, actors, starts, phases, manoeuvres, outcome, conflict, natural, rules, pace)
+PARTS = (road, actors, starts, phases, manoeuvres, watched, outcome, conflict, natural, rules, pace)
 """Phases come before what reads their moments."""
 
 

@@ -49,7 +49,7 @@ def delays(scene: Scene) -> Iterator[Requirement]:
     for actor, i, phase in scene.phases():
         trigger, path, cid = phase.trigger, f"phases.{i}", "E" if actor == EGO else actor
         if trigger is None or trigger.delay is None or trigger.kind not in ("time", "action") \
-                or not scene.stated(cid, f"{path}.trigger.delay"):  # fmt: skip
+                or trigger.subject not in (None, actor) or not scene.stated(cid, f"{path}.trigger.delay"):  # fmt: skip
             continue
         since = low(trigger.value) if trigger.kind == "time" and trigger.value is not None else 0.0
         text = f"{scene.named(actor)}: {phase.action.replace('_', ' ')} {low(trigger.delay):g} s later."

@@ -9,7 +9,6 @@ from c2s_engine.require.outcome import SIDEWARD, struck
 from c2s_engine.require.results import scored, span, unknown
 from c2s_engine.require.scene import Scene, bounds, kmh
 from c2s_engine.structure.facts import EGO
-from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 
@@ -47,13 +46,14 @@ def required(scene: Scene) -> Iterator[Requirement]:
 def _speeds(scene: Scene, actor: str, spec: EgoSpec | ObjectSpec) -> Iterator[Requirement]:
     cid, name = ("E" if actor == EGO else actor), scene.named(actor)
     stated = spec.speed is not None and scene.stated(cid, "speed")
-    if stated and spec.speed is not None and high(spec.speed) > 0:
-        least, most = low(spec.speed), high(spec.speed)
+    held = scene.speed(actor, spec, "speed")
+    if held is not None and held[1] > 0:
+        least, most = held
         yield scene.make("speed", "speed_kept", actor, "speed", f"{name} goes at {kmh(least, most)}.", least=least,
                          most=most)  # fmt: skip
     elif stated and spec.speed == 0:
         yield scene.make("speed", "stands_first", actor, "speed", f"{name} stands at first.")
-    elif spec.type in (*ON_FOOT, "bicycle") and spec.phases and not any(p.speed for p in spec.phases):
+    elif spec.type in (*ON_FOOT, "bicycle") and spec.phases and not any(p.speed or p.pace for p in spec.phases):
         yield scene.make("speed", "usual_speed", actor, "usual_speed", f"{name} goes at a usual speed for its kind.")
 
 

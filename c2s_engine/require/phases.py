@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from c2s_engine.require import moments
+from c2s_engine.require import moments, watched
 from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
 from c2s_engine.require.geometry import box_distance
 from c2s_engine.require.results import between, decided, scored, span, unknown
@@ -36,7 +36,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if not shows and phase.action not in BY_SPEED or phase.action == "keep_lane" and _leaves_later(scene, actor, i):
             continue  # nothing shows it, or not the run as a whole
         said = phase.action.replace("_", " ")
-        values: dict[str, Value] = {"action": phase.action, "events": shows}
+        stands = phase.until is not None and phase.action == "stationary"  # not for good
+        values: dict[str, Value] = {"action": "wait" if stands else phase.action, "events": shows}
         if actor in before:
             values["after"] = before[actor]
         if phase.duration is not None and scene.stated(_cid(actor), f"{path}.duration"):
@@ -85,11 +86,11 @@ def _details(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
     if phase.rate is not None and phase.action in ("brake", "stop") and scene.stated(_cid(actor), f"{path}.rate"):
         yield scene.make("phase", "rate", actor, f"{path}.rate", f"{name}: {said} with {low(phase.rate):g} m/s2.",
                          of=of, least=low(phase.rate), most=high(phase.rate))  # fmt: skip
-    if phase.speed is not None and high(phase.speed) > 0 and scene.stated(_cid(actor), f"{path}.speed"):
-        least, most = low(phase.speed), high(phase.speed)
+    if (goal := scene.speed(actor, phase, f"{path}.speed")) is not None and goal[1] > 0:
+        least, most = goal
         yield scene.make("speed", "reaches", actor, f"{path}.speed", f"{name}: {said} at {kmh(least, most)}.", of=of,
                          least=least, most=most)  # fmt: skip
-    trigger = phase.trigger
+    trigger = phase.trigger if phase.trigger and not watched.judged_here(phase.trigger, actor) else None
     if trigger and trigger.kind == "place" and trigger.place and scene.stated(_cid(actor), f"{path}.trigger"):
         value = high(trigger.value) if trigger.value is not None else 0.0
         where = "end of the acceleration lane" if trigger.place == "merge_end" else trigger.place

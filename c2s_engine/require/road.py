@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from c2s_engine.require.evidence import Evidence
 from c2s_engine.require.results import between, decided, scored, unknown
 from c2s_engine.require.scene import Scene, bounds
+from c2s_engine.require.watched import SHOWN_AS
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
@@ -48,7 +49,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
 def _settings(scene: Scene) -> Iterator[Requirement]:
     spec = scene.structure.settings.spec
     assert isinstance(spec, SettingsSpec)
-    if spec.light:
+    if spec.light and not spec.light_changes:  # else it may have changed by then
         yield scene.make("settings", "light", EGO, "light", f"The light is {spec.light} when ego comes near.",
                          component="G", value=spec.light)  # fmt: skip
     for weather in spec.weather:
@@ -109,6 +110,8 @@ def distance_to(requirement: Requirement, evidence: Evidence) -> Result:
 
 def light(requirement: Requirement, evidence: Evidence) -> Result:
     seen, said = evidence.facts.light, str(requirement.values["value"])
+    if seen in SHOWN_AS.get(said, ()):
+        seen = said
     if seen == "":
         return unknown(requirement, said, "not reached: ego never came near the light")
     return decided(requirement, seen == said, said, seen or "there is no light")

@@ -6,7 +6,9 @@ from typing import Any
 import yaml
 
 from c2s_engine import paths
+from c2s_engine.require.paces import speed_at
 from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.quantity import Range, high, low
 from c2s_engine.structure.requirements import Kind, Requirement, Value
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 
@@ -60,6 +62,13 @@ class Scene:
     def stated(self, component: str, field: str) -> bool:
         """Whether the text says it: S may have assumed it."""
         return all(a.field != field for a in self.structure[component].assumed)
+
+    def speed(self, actor: str, said: EgoSpec | ObjectSpec | Phase, path: str) -> Range | None:
+        """The speed (m/s) that S says in a number or in a word, from and to; None: it says none."""
+        if said.speed is not None and (said.pace is None or self.stated("E" if actor == "ego" else actor, path)):
+            stated = self.stated("E" if actor == "ego" else actor, path)
+            return (low(said.speed), high(said.speed)) if stated else None
+        return speed_at(self.actors[actor].type, said.pace, self.place) if said.pace is not None else None
 
     def named(self, actor: str | None) -> str:
         """How sentences call an actor."""

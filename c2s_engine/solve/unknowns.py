@@ -71,7 +71,7 @@ def _of(component: Component, usual: Usual) -> Iterator[Unknown]:
 
     if isinstance(spec, EgoSpec | ObjectSpec):
         speed = usual.speeds.get(cid, 0.0)
-        if speed > 0 and is_open("speed", spec.speed):
+        if speed > 0 and spec.pace is None and is_open("speed", spec.speed):
             yield Unknown(cid, "speed", speed)
         for i, phase in enumerate(spec.phases):
             untimed = is_open(f"phases.{i}.trigger", phase.trigger) and cid not in usual.later

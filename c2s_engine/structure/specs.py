@@ -29,11 +29,18 @@ class Trigger(Spec):
 
     kind: v.TriggerKind = Field(description="what is watched")
     value: Quantity | None = Field(
-        None, description="distance: m, bumper to bumper; ttc, time: s since the start; place: m before it"
+        None,
+        description="distance, apart: m, bumper to bumper; ttc, time: s since the start; place: m before it; "
+        "speed: m/s",
     )
-    of: Reference | None = Field(None, description="distance, ttc: to whom (default ego; for ego: the nearest object)")
+    subject: Reference | None = Field(None, description="whom it is about; default: whose phase it is")
+    of: Reference | None = Field(
+        None,
+        description="distance, apart, ttc, passed, seen, contact: to whom (default ego; for ego: the nearest object)",
+    )
     action: v.Action | None = Field(None, description="action: the action of `of` that is waited for")
     place: v.TriggerPlace | None = Field(None, description="place: what is reached")
+    light: v.LightState | None = Field(None, description="light: what the light ahead of `subject` shows")
     delay: Seconds | None = Field(None, description="how long after that the phase begins, s")
 
 
@@ -42,6 +49,7 @@ class Phase(Spec):
 
     action: v.Action
     speed: Speed | None = Field(None, description="speed to reach or to hold in this phase, m/s")
+    pace: v.Pace | None = Field(None, description="that speed in a word, where no number is given")
     rate: Quantity | None = Field(None, description="acceleration or deceleration, a positive number, m/s2")
     side: v.Side | None = Field(
         None, description="lane_change, cut_in, cut_out, swerve, drift, leave_road: towards which side"
@@ -61,7 +69,12 @@ class Phase(Spec):
     abandoned: bool = Field(
         False, description="begun and broken off: lane_change, cut_in, overtake back to its own lane before it is over"
     )
+    clearance: Metres | None = Field(
+        None,
+        description="room to `target`, m: stop as it stands before it; swerve, keep_lane at the least as it goes by",
+    )
     trigger: Trigger | None = None
+    until: Trigger | None = Field(None, description="what ends it; default: it ends by itself or as the next begins")
 
 
 class PlaceSpec(Spec):
@@ -90,6 +103,7 @@ class EgoSpec(Spec):
     type: v.VehicleType = "car"
     model: str | None = Field(None, description="a CARLA blueprint, where the text names one")
     speed: Speed | None = Field(None, description="initial and cruising speed, m/s; 0: it stands at first")
+    pace: v.Pace | None = Field(None, description="that speed in a word, where no number is given")
     phases: tuple[Phase, ...] = Field((), description="what it does of its own accord, in order")
     reaction: v.Reaction = Field("none", description="how it answers what the others do")
     react_to: Reference | None = Field(None, description="to whom; default: whatever comes into its way")
@@ -111,6 +125,7 @@ class Placement(Spec):
         None, description="beside, roadside, sidewalk, parked, partly_in_lane, intersection_exit: on which side"
     )
     gap: Metres | None = Field(None, description="between the bounding boxes, along the road, m")
+    lanes_over: Literal[1, 2] = Field(1, description="left_lane, right_lane: how many lanes over")
     lateral: Metres | None = Field(
         None, description="beside, roadside, partly_in_lane: between its body and that of `of`, across the road, m"
     )
@@ -139,6 +154,7 @@ class ObjectSpec(Spec):
     spacing: Metres | None = Field(None, description="between the members where there are several, m")
     placement: Placement = Placement()
     speed: Speed | None = Field(None, description="initial speed, m/s; 0: it stands at first")
+    pace: v.Pace | None = Field(None, description="that speed in a word, where no number is given")
     phases: tuple[Phase, ...] = Field((), description="what it does, in order; none: it keeps on as it started")
     limit: float | None = Field(None, gt=0, le=40, description="speed_sign: what it says, m/s")
 
@@ -154,6 +170,13 @@ class ObjectSpec(Spec):
         return _checked_blueprint(value)
 
 
+class LightChange(Spec):
+    """A change of the traffic light that ego faces."""
+
+    to: v.LightState = Field(description="what it shows from then on")
+    when: Trigger = Field(description="when it changes; subject: default ego")
+
+
 class SettingsSpec(Spec):
     """G: the global configuration (the paper's G_settings)."""
 
@@ -163,7 +186,8 @@ class SettingsSpec(Spec):
     time: v.TimeOfDay | None = Field(None, description="none: the default, day")
     preset: str | None = Field(None, description="a CARLA weather preset, where the text names one")
     parameters: dict[str, float] = Field({}, description="single CARLA weather parameters that override the rest")
-    light: v.LightState | None = Field(None, description="state of the traffic light that ego faces")
+    light: v.LightState | None = Field(None, description="state of the traffic light that ego faces, at first")
+    light_changes: tuple[LightChange, ...] = Field((), description="how that light changes during the run, in order")
 
 
 class Condition(Spec):

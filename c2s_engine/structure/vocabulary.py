@@ -12,7 +12,7 @@ ObjectType = Literal[
     "cone", "barrier", "debris", "warning_sign", "stop_sign", "yield_sign", "speed_sign",
     "construction_zone", "lane_closure",
     "obstacle", "container", "trash", "box", "bench", "bus_stop", "kiosk", "vending_machine", "plant_pot", "barrel",
-    "building", "wall", "hedge",
+    "building", "wall", "hedge", "pole", "tree", "guard_rail", "billboard", "toll_booth", "slippery_patch",
 ]  # fmt: skip
 
 PlaceKind = Literal[
@@ -39,13 +39,24 @@ Action = Literal[
     "run_red", "run_stop", "yield", "lose_control", "collide",
 ]  # fmt: skip
 
-TriggerKind = Literal["distance", "ttc", "time", "place", "action"]
-TriggerPlace = Literal["intersection", "crosswalk", "merge_end"]
+Pace = Literal[
+    "crawl", "walking_pace", "slow", "below_limit", "at_limit", "over_limit", "far_over_limit", "fast", "too_fast",
+    "stroll", "walk", "jog", "run", "sprint",
+]  # fmt: skip
+
+TriggerKind = Literal[
+    "distance", "apart", "ttc", "time", "place", "action", "passed", "speed", "light", "seen", "contact"
+]
+TriggerPlace = Literal[
+    "intersection", "stop_line", "in_intersection", "past_intersection", "crosswalk", "bend", "merge_end"
+]
 Reaction = Literal["brake", "follow", "yield", "evade", "none"]
 
 Weather = Literal["clear", "cloudy", "wet", "rain", "heavy_rain", "fog", "snow", "wind"]
 TimeOfDay = Literal["day", "dawn", "dusk", "night"]
-LightState = Literal["red", "yellow", "green"]
-ConditionKind = Literal["distance", "visible", "not_visible", "time", "travelled", "collision", "stopped", "action"]
+LightState = Literal["red", "yellow", "green", "flashing", "dark"]
+ConditionKind = Literal[
+    "distance", "closest", "visible", "not_visible", "time", "travelled", "collision", "stopped", "action"
+]
 
 Origin = Literal["rendered", "generated", "by_hand", "imported"]

@@ -700,6 +700,19 @@ def way_round(car, points, others, side=0, room=0.8):
         return 0
     return (high if side > 0 else low) if side else min(low, high, key=abs)
 
+def leaving_room(car, points, other, room):
+    """How far (m) to the left of its points `car` goes by another so that exactly `room` m are between them, on the side
+    of its points; 0 while that is over 60 m ahead, or has been passed."""
+    here, there = along_line(points, car.position)[0], along_line(points, other.position)[0]
+    if not -other.length - car.length < there - here < 60:
+        return 0
+    k = max(0, min(int(there / 2), len(points) - 2))
+    left = (points[k + 1] - points[k]).normalized().rotatedBy(90 deg)
+    aside = (other.position - points[k]).dot(left)
+    across = abs(math.sin(other.heading - math.atan2(left.y, left.x)))
+    half = (other.width * (1 - across) + other.length * across + car.width) / 2 + room
+    return aside + half if aside < 0 else aside - half
+
 def to_far_side(self, points, heading):
     """How far (m) it is in a direction (rad), over the way of a car, its points, until a little off the road."""
     metres = along_line(points, self.position)[1]
@@ -816,6 +829,12 @@ def passed(other, car, further=10, margin=1):
     spot = car.position.offsetRotated(car.heading, Vector(0, further))
     return (spot - other.position).rotatedBy(-other.heading).y < -other.length / 2 - margin
 
+def has_crossed(car):
+    """Whether `car` has been in a junction and has left it; asked all along, from before it comes there."""
+    now = simulation().currentTime
+    car.entered = car._intersection is not None or now > 0 and getattr(car, 'entered', False)
+    return car.entered and car._intersection is None
+
 def gap(car, other):
     """The distance (m) from bumper to bumper: between the boxes of `car` and `other`, 0 where they touch."""
     return _box(car).distance(_box(other))
@@ -875,7 +894,10 @@ def to_line(car, lane):
 def short_of(car, points, others, speed, rate=3, room=3):
     """The speed (m/s), at most `speed` and gained gently, at which `car` comes to a stand `room` m before whoever of the
     others has not gone by."""
-    ahead = [along_line(points, other.position)[0] - other.width / 2 - room
+    def half(other):
+        across = abs(math.sin(other.heading - car.heading))
+        return (other.width * across + other.length * (1 - across)) / 2
+    ahead = [along_line(points, other.position)[0] - half(other) - room
              for other in others if not passed(other, car, margin=2.5)]
     gently = min(speed, car.speed + 2 * simulation().timestep)
     return up_to(min(ahead) - along_line(points, car.position)[0] - car.length / 2, gently, rate) if ahead else gently

@@ -1,5 +1,6 @@
 """A form's prose and its schema say the same: each name, each choice and their order, for any scenario."""
 
+import itertools
 import json
 import random
 import re
@@ -10,13 +11,14 @@ import pytest
 import yaml
 from pydantic import Field
 
-from c2s_engine.interpret.llm import offered, prose, spoken
+from c2s_engine.interpret.llm import offered, prose, settings, spoken
 from c2s_engine.interpret.llm.asking import prompt
 from c2s_engine.interpret.llm.components import ObjectSentence, Sentences, excerpt, instructions, sentences_schema
 from c2s_engine.interpret.llm.forms import Form, form_of
 from c2s_engine.interpret.llm.schema import accepts, spec_schema
 from c2s_engine.interpret.llm.settings import settings_schema
 from c2s_engine.interpret.llm.units import annotate, quantities
+from c2s_engine.require.paces import paces_of
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.specs import SPEC_OF, EgoSpec, ObjectSpec, Phase, Placement, Reference, Spec, Trigger
@@ -53,12 +55,23 @@ def prose_of(form: Form) -> list[tuple[int, str, list[str]]]:
             continue
         for field in _FIELD.finditer(line[mark.end() :]):
             listed = field[2].split(", ") if field[2] else []
+            if copied := re.search(rf"{field[1]}: [^;]*, fields as (\w+)", line):
+                found.append((len(mark[1]), field[1], []))
+                found += _below(found, copied[1])
+                continue
             if listed[:1] == ["as above"]:
                 listed = [*explained[field[1]], *listed[1:]]
             elif beside := re.fullmatch(r"as (\w+)", ", ".join(listed)):
                 listed = next(choices for _, name, choices in reversed(found) if name == beside[1])
             found.append((len(mark[1]), field[1], listed))
+            explained.setdefault(field[1], listed)
     return found
+
+
+def _below(found: list[tuple[int, str, list[str]]], name: str) -> list[tuple[int, str, list[str]]]:
+    """What was told of the fields of one."""
+    at = max(i for i, row in enumerate(found) if row[1] == name)
+    return list(itertools.takewhile(lambda row: row[0] > found[at][0], found[at + 1 : -1]))
 
 
 def schema_of(schema: dict[str, Any], depth: int = 1) -> list[tuple[int, str, list[str]]]:
@@ -114,8 +127,9 @@ def test_the_splitter_and_the_detector_tell_their_fields_in_order():
     objects = list(schema["objects"]["items"]["properties"])
     names = [n for name in schema for n in ((name, *objects) if name == "objects" else (name,))]
     assert told == names
-    detector = prompt("settings", weather="", times="")
-    assert re.findall(r"^- (\w+):", detector, re.M) == list(settings_schema()["properties"])
+    for changes in (False, True):
+        detector = prompt("settings", weather="", times="", changes=settings.told(changes))
+        assert re.findall(r"^- (\w+):", detector, re.M) == list(settings_schema(changes)["properties"])
     assert all(t in instructions() for t in get_args(v.ObjectType))
 
 
@@ -190,6 +204,8 @@ def test_every_field_and_choice_of_the_specs_is_offered_by_some_form(kind):
         reached |= offers_of(form_of("O2" if kind == "O" else kind, text, sentences).schema)
     whole = offers_of(spec_schema(kind, ["ego", "O1", "O2", "O3", "O4"]))
     whole.discard("require.action")  # at the start nothing has been done
+    if kind == "E":
+        whole -= {f"pace={p}" for p in get_args(v.Pace) if p not in paces_of("car")}
     references = {f"{n}={c}" for n in ("of", "target", "hidden_by", "subject", "other", "react_to")
                   for c in ("ego", "O1", "O2", "O3", "O4")}  # fmt: skip
     assert whole - references <= reached

@@ -68,6 +68,7 @@ class Scene:
     ended_by: Any = "terminated"
     reason: str = ""
     facts: dict[str, Any] = field(default_factory=dict)
+    lights: tuple[tuple[float, str, str], ...] = ()
 
     def run(self, mirrored: bool = False) -> Run:
         steps = round(self.seconds / STEP) + 1
@@ -75,7 +76,7 @@ class Scene:
         contacts = tuple(_contact(c) if mirrored else c for c in self.contacts)
         facts = RunFacts(seed=0, duration=self.seconds, ended_by=self.ended_by, reason=self.reason, objects=objects,
                          contacts=contacts, **{"road": RoadFacts(straight=True), **self.facts})  # fmt: skip
-        return Run(facts=facts, trajectories=Trajectories(step=STEP, tracks=tracks))
+        return Run(facts=facts, trajectories=Trajectories(step=STEP, tracks=tracks, lights=self.lights))
 
 
 def ramp(*points: tuple[float, float], seconds: float = 12.0) -> np.ndarray:

@@ -64,7 +64,7 @@ def forms() -> dict[str, str]:
     cases = yaml.safe_load((Path(__file__).parents[1] / "models" / "offered.yaml").read_text(encoding="utf-8"))
     everything = " ".join(case["says"] for case in cases)
     told |= {f"{cid} all": form_of(cid, everything, sentences).system for cid in sentences.ids[1:]}
-    detector = prompt("settings", weather=words.lines("weather"), times=words.lines("times"))
+    detector = prompt("settings", weather=words.lines("weather"), times=words.lines("times"), changes="")
     return {"components": instructions(), "G": detector, **told}
 
 
@@ -102,7 +102,7 @@ def test_prompts_say_something_of_every_word_of_the_vocabulary():
     for section, short in words.shortened().items():
         assert list(short) == list(words.vocabulary()[section]), section
     told = words.lines("actions", ["turn_left", "brake", "u_turn"])
-    assert told == "- brake: to speed; hard is a rate from 4 on\n- turn_left, u_turn"
+    assert told == "- brake: to speed; hard from rate 4 on\n- turn_left, u_turn"
 
 
 def test_the_paper_s_sentences_are_asked_for_in_order():

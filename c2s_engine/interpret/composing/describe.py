@@ -3,9 +3,10 @@
 import re
 
 from c2s_engine.interpret.language import plurals, table
+from c2s_engine.require.watched import JUDGED_HERE, NEW_PLACES, clause
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, RestrictionsSpec, SettingsSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, RestrictionsSpec, SettingsSpec, Trigger
 
 
 def km_h(speed) -> str:  # noqa: ANN001
@@ -38,11 +39,38 @@ def _phase(phase: Phase, names: dict[str, str], many: bool) -> str:
         words += " hard"
     if phase.side and phase.action in ("lane_change", "swerve", "drift", "leave_road", "cut_out"):
         words += f" to the {phase.side}"
+    if phase.abandoned:
+        words = f"begin to {words} and break off"
+    words += "".join(f" {manner}" for manner in _manners(phase, names))
     trigger = phase.trigger
-    if trigger and trigger.value is not None:
+    if trigger and (trigger.subject is not None or trigger.kind in JUDGED_HERE or trigger.place in NEW_PLACES):
+        words += f" when {_watched(trigger, names)}"
+    elif trigger and trigger.value is not None:
         pattern = table("sentences")["triggers"].get(trigger.kind)
         words += " " + pattern.format(value=low(trigger.value), place=trigger.place) if pattern else ""
+        words += f", and {low(trigger.delay):g} s later" if trigger.delay is not None else ""
+    if phase.until:
+        words += f" until {_watched(phase.until, names)}"
     return words if many else _third(words)
+
+
+def _watched(trigger: Trigger, names: dict[str, str]) -> str:
+    one = _named(trigger.subject, names) if trigger.subject else "it"
+    return clause(trigger, one, _named(trigger.of, names) if trigger.of else "ego")
+
+
+def _manners(phase: Phase, names: dict[str, str]) -> list[str]:
+    """How it does what it does: in words, at which gap, with which part, with how much room."""
+    said, target = table("sentences"), _named(phase.target or "ego", names)
+    values = {
+        "pace": phase.pace and said["paces"][phase.pace],
+        "gap": phase.gap is not None and _metres(phase.gap),
+        "lateral_speed": phase.lateral_speed is not None and f"{low(phase.lateral_speed):g}",
+        "part": phase.part and phase.part.replace("_", " "),
+        "target_part": phase.target_part and phase.target_part.replace("_", " "),
+        "clearance": phase.clearance is not None and f"{low(phase.clearance):g}",
+    }
+    return [said["manners"][name].format(value=value, target=target) for name, value in values.items() if value]
 
 
 def _steps(phases: tuple[Phase, ...], names: dict[str, str], many: bool = False) -> str:
@@ -65,12 +93,26 @@ def obj(spec: ObjectSpec, names: dict[str, str] | None = None) -> str:
     text = f"{what} {where}"
     if place.gap is not None:
         text += f", {_metres(place.gap)} away"
+    if place.lanes_over > 1:
+        text += f", {place.lanes_over} lanes over"
+    if place.lateral is not None:
+        text += f", {low(place.lateral):g} m to the side"
+    if place.arrives is not None:
+        text += f", where their ways meet {_after(place.arrives, _named('ego', names))}"
     if place.hidden_by:
         text += f", hidden by {_named(place.hidden_by, names)}"
     if spec.speed is not None and high(spec.speed) > 0.1:
         text += f", at {km_h(spec.speed)}"
+    elif spec.pace:
+        text += f", {table('sentences')['paces'][spec.pace]}"
     steps = _steps(spec.phases, names, many)
     return f"{text}; {'they' if many else 'it'} {steps}." if steps else f"{text}."
+
+
+def _after(arrives, ego: str) -> str:  # noqa: ANN001
+    seconds = low(arrives)
+    when = "after" if seconds > 0 else "before"
+    return f"{abs(seconds):g} s {when} {ego}" if seconds else f"together with {ego}"
 
 
 def ego(spec: EgoSpec, place: PlaceSpec, names: dict[str, str] | None = None) -> str:
@@ -82,6 +124,8 @@ def ego(spec: EgoSpec, place: PlaceSpec, names: dict[str, str] | None = None) ->
         if spec.speed is not None and high(spec.speed) > 0.1
         else " stands at first"
         if spec.speed is not None
+        else f" drives {table('sentences')['paces'][spec.pace]}"
+        if spec.pace
         else " drives"
     )
     steps = _steps(spec.phases, names)
@@ -128,6 +172,9 @@ def settings(spec: SettingsSpec) -> str:
     text = f"{sky.capitalize()}, {spec.time or 'day'}"
     text += f", map {spec.map}" if spec.map else ""
     text += f", ego's light {spec.light}" if spec.light else ""
+    for change in spec.light_changes:
+        text += f", {'then' if spec.light else 'the light turns'} {change.to} when "
+        text += clause(change.when, change.when.subject or "ego", change.when.of or "the other")
     return text + "."
 
 

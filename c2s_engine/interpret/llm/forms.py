@@ -8,10 +8,14 @@ from c2s_engine.interpret.llm.components import Sentences
 from c2s_engine.interpret.llm.offered import offer
 from c2s_engine.interpret.llm.schema import spec_schema
 from c2s_engine.interpret.llm.units import plain
+from c2s_engine.require.paces import paces_of
 from c2s_engine.structure import vocabulary as v
 
 Schema = dict[str, Any]
-AT_THE_START = ("distance", "visible", "not_visible")
+REQUIRED = ("distance", "closest", "visible", "not_visible")
+"""What can be required: of the start, and how near two come."""
+BY_ITSELF = ("time", "place", "speed", "light")
+"""What somebody can wait for who is alone."""
 _THINGS_STAND = {
     "ahead", "left_lane", "right_lane", "oncoming_lane", "roadside", "sidewalk", "partly_in_lane", "intersection_exit",
 }  # fmt: skip
@@ -36,7 +40,7 @@ def form_of(cid: str, text: str, sentences: Sentences) -> Form:
         kind = "thing" if words.is_thing(told.type) else "O"
         schema = _thing(told.type, earlier) if kind == "thing" else _road_user(told.type, others, earlier, kinds)
         if told.still:
-            for name in ("speed", "phases"):
+            for name in ("speed", "pace", "phases"):
                 schema["properties"].pop(name, None)
     elif kind == "E":
         schema = _ego(others, kinds)
@@ -54,7 +58,7 @@ def form_of(cid: str, text: str, sentences: Sentences) -> Form:
 
 
 def _ego(others: list[str], kinds: dict[str, str]) -> Schema:
-    schema = spec_schema("E", others, allowed={"action": words.all_actions()})
+    schema = spec_schema("E", others, allowed={"action": words.all_actions(), "pace": paces_of("car")})
     _phases(schema, words.actions_for("vehicle"), kinds)
     return schema
 
@@ -62,7 +66,7 @@ def _ego(others: list[str], kinds: dict[str, str]) -> Schema:
 def _restrictions(ids: list[str]) -> Schema:
     schema = spec_schema("T", ids)
     required = schema["properties"]["require"]["items"]["properties"]
-    required["kind"]["enum"] = list(AT_THE_START)
+    required["kind"]["enum"] = list(REQUIRED)
     del required["action"]
     return schema
 
@@ -71,7 +75,7 @@ def _thing(type_: str, earlier: list[str]) -> Schema:
     types = [t for t in get_args(v.ObjectType) if words.is_thing(t)]
     where = [p for p in get_args(v.Position) if p in _THINGS_STAND]
     schema = spec_schema("O", ["ego", *earlier], allowed={"type": types, "position": where})
-    for name in ("phases", "speed", "model", *(["limit"] if type_ != "speed_sign" else [])):
+    for name in ("phases", "speed", "pace", "model", *(["limit"] if type_ != "speed_sign" else [])):
         del schema["properties"][name]
     _placement(schema, earlier, ("along", "facing", "hidden_by", "arrives"))
     return schema
@@ -81,7 +85,8 @@ def _road_user(type_: str, others: list[str], earlier: list[str], kinds: dict[st
     person = type_ in words.PERSONS
     types = [t for t in get_args(v.ObjectType) if not words.is_thing(t) and (t in words.PERSONS) == person]
     where = [p for p in get_args(v.Position) if not person or p not in _NO_PERSONS]
-    schema = spec_schema("O", ["ego", *others], allowed={"type": types, "position": where})
+    paces = paces_of("pedestrian" if person else type_)
+    schema = spec_schema("O", ["ego", *others], allowed={"type": types, "position": where, "pace": paces})
     del schema["properties"]["limit"]
     _placement(schema, earlier, ())
     _phases(schema, words.actions_for(type_), {"ego": "car", **kinds})
@@ -101,11 +106,11 @@ def _phases(schema: Schema, actions: list[str], kinds: dict[str, str]) -> None:
     """The actions of a road user, and what it can wait for: an action that one of the others can take."""
     phase = schema["properties"]["phases"]["items"]["properties"]
     phase["action"]["enum"] = actions
-    trigger = phase["trigger"]["properties"]
     awaited = {a for kind in kinds.values() for a in words.actions_for(kind)}
-    if awaited:
-        trigger["action"]["enum"] = [a for a in words.all_actions() if a in awaited]
-    else:
-        trigger["kind"]["enum"] = [k for k in trigger["kind"]["enum"] if k in ("time", "place")]
-        for name in ("of", "action"):
-            trigger.pop(name, None)
+    for trigger in (phase["trigger"]["properties"], phase["until"]["properties"]):
+        if awaited:
+            trigger["action"]["enum"] = [a for a in words.all_actions() if a in awaited]
+        else:
+            trigger["kind"]["enum"] = [k for k in trigger["kind"]["enum"] if k in BY_ITSELF]
+            for name in ("subject", "of", "action"):
+                trigger.pop(name, None)

@@ -11,9 +11,9 @@ import yaml
 from c2s_engine.interpret.llm import words
 from c2s_engine.interpret.llm.schema import accepts, described
 
-UNMET = "what these fields cannot say, such as paces in words"
+UNMET = "what these fields cannot say"
 EXAMPLES = 2
-MANY = 8
+MANY = 6
 """Choices from which on they are not listed a second time."""
 
 
@@ -44,7 +44,10 @@ def _lines(
         meaning, inner, choices = told[name], _object_in(node), _choices(node)
         section = meaning.get("words", "") if isinstance(meaning, dict) else ""
         plain = meaning.get("is", "") if isinstance(meaning, dict) else meaning
-        if inner is not None:
+        beside = next((n for n, other in properties.items() if inner and n != name and other == node), "")
+        if beside and f"{mark}{beside}: " in "\n".join(rows):
+            rows.append(f"{mark}{name}: {plain}, fields as {beside}")
+        elif inner is not None:
             each = ", each" if node.get("type") == "array" else ""
             rows.append(f"{mark}{name}: {plain}{each}:")
             rows += _lines(
@@ -57,6 +60,8 @@ def _lines(
         else:
             these = f" ({_listed(choices, explained.get(name, []), listed)})" if choices else ""
             listed[name] = choices
+            if len(choices) >= MANY:
+                explained.setdefault(name, choices)
             row = f"{name}{these}{f': {plain}' if plain else ''}"
             if joins and mark != "- ":
                 rows[-1] += f"; {row}"

@@ -10,13 +10,20 @@ from c2s_engine.interpret.llm.asking import Asker, prompt
 from c2s_engine.interpret.llm.schema import limits
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Assumption, Unmet
-from c2s_engine.structure.specs import SettingsSpec
+from c2s_engine.structure.specs import LightChange, SettingsSpec, Trigger
 
 ACCEPTED = 0.6
 """From this confidence on a detected setting is taken (the paper, Algorithm 1); else the default stands."""
 
 BLUEPRINT = re.compile(r"[a-z]+(\.[a-z0-9_]+)+")
 TOWN = re.compile(r"Town\d\d(HD|_Opt)?")
+
+
+CHANGES_BY = {"place": "ego is value m before its stop line", "time": "value s after the start"}
+"""By what a text tells when a light changes."""
+_CHANGES = re.compile(
+    r"\b(?:lights?|signals?)\b[^.;]{0,60}\b(?:turn|chang|switch|becom|go(?:es)?\b|jump)|"
+    r"\b(?:turn|chang|switch)\w*\s+(?:from\s+\w+\s+)?(?:to\s+)?(?:red|green|yellow|amber)\b", re.I)  # fmt: skip
 
 
 class Detected(BaseModel):
@@ -30,8 +37,8 @@ class Detected(BaseModel):
     unmet: tuple[Unmet, ...] = ()
 
 
-def settings_schema() -> dict[str, Any]:
-    """The schema of the detector's answer."""
+def settings_schema(changes: bool = False) -> dict[str, Any]:
+    """The schema of the detector's answer; `changes`: whether the light may change in the run."""
 
     def confident(value: dict[str, Any]) -> dict[str, Any]:
         confidence = {"type": "number", "minimum": 0, "maximum": 1}
@@ -51,6 +58,7 @@ def settings_schema() -> dict[str, Any]:
             "weather": confident(weather),
             "time": confident(_enum(v.TimeOfDay)),
             "light": confident(_enum(v.LightState)),
+            **({"light_changes": confident(_changes())} if changes else {}),
             "ego_model": confident(word),
             "unmet": {"type": "string", "maxLength": limits()["lengths"]["unmet"]},
         },
@@ -58,21 +66,44 @@ def settings_schema() -> dict[str, Any]:
     }
 
 
+def _changes() -> dict[str, Any]:
+    low, high = limits()["numbers"]["value"]
+    fields = {
+        "to": _enum(v.LightState),
+        "kind": {"type": "string", "enum": list(CHANGES_BY)},
+        "value": {"type": "number", "minimum": low, "maximum": high},
+    }
+    change = {"type": "object", "properties": fields, "required": list(fields), "additionalProperties": False}
+    return {"type": "array", "items": change, "maxItems": limits()["lengths"]["list"]}
+
+
 def _enum(literal: Any) -> dict[str, Any]:
     return {"type": "string", "enum": list(get_args(literal))}
 
 
+def _change(said: dict[str, Any]) -> LightChange:
+    place = "stop_line" if said["kind"] == "place" else None
+    return LightChange(to=said["to"], when=Trigger(kind=said["kind"], value=said["value"], place=place))
+
+
 async def detect(text: str, asker: Asker) -> Detected:
     """The settings of a text; raises ModelError."""
-    system = prompt("settings", weather=words.lines("weather"), times=words.lines("times"))
-    return await asker.form(system, text, settings_schema(), purpose="settings", component="G", build=accepted)
+    changes = bool(_CHANGES.search(text))
+    system = prompt("settings", weather=words.lines("weather"), times=words.lines("times"), changes=told(changes))
+    return await asker.form(system, text, settings_schema(changes), purpose="settings", component="G", build=accepted)
+
+
+def told(changes: bool) -> str:
+    """The detector's line on a light that changes; "": the text says nothing of one."""
+    by = "; ".join(f"{kind}: {means}" for kind, means in CHANGES_BY.items())
+    return f"\n- light_changes: in order, to what and when ({by})." if changes else ""
 
 
 def accepted(found: dict[str, Any]) -> Detected:
     """What of an answer is taken: confident enough, and naming what there is."""
     taken: dict[str, Any] = {}
     assumed: list[Assumption] = []
-    for name in ("map", "weather", "time", "light", "ego_model"):
+    for name in ("map", "weather", "time", "light", "light_changes", "ego_model"):
         if name not in found or found[name]["value"] in ("", []):
             continue
         value, confidence = found[name]["value"], found[name]["confidence"]
@@ -87,6 +118,7 @@ def accepted(found: dict[str, Any]) -> Detected:
     weather = tuple(dict.fromkeys(taken.get("weather", ())))
     if len(weather) > 1:
         weather = tuple(w for w in weather if w != "clear")
-    spec = SettingsSpec(map=taken.get("map"), weather=weather, time=taken.get("time"), light=taken.get("light"))
+    light = {"light": taken.get("light"), "light_changes": tuple(map(_change, taken.get("light_changes", ())))}
+    spec = SettingsSpec(map=taken.get("map"), weather=weather, time=taken.get("time"), **light)
     unmet = (Unmet(text=found["unmet"], reason="no setting says this"),) if found.get("unmet") else ()
     return Detected(spec=spec, ego_model=taken.get("ego_model"), assumed=tuple(assumed), unmet=unmet)

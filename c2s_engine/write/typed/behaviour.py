@@ -1,8 +1,8 @@
 """Phases to a Scenic behaviour: each becomes one `do`, ended by the next phase's trigger or its own completion."""
 
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
-from c2s_engine.write.typed import scope
+from c2s_engine.structure.specs import ObjectSpec, Phase, SettingsSpec, Trigger
+from c2s_engine.write.typed import lights, scope
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.overtakings import nearest
@@ -10,6 +10,8 @@ from c2s_engine.write.typed.steps import AT_LINE, Step, steps
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, TURN
 from c2s_engine.write.typed.towards import its_turn
 from c2s_engine.write.typed.triggers import implicit, stated
+from c2s_engine.write.typed.usual import SETS_OUT
+from c2s_engine.write.typed.watching import watched
 
 ONWARD = {"start", "wait", "yield", "go_straight", "turn_left", "turn_right", "accelerate", "collide"}
 ON_THE_WAY = {
@@ -80,6 +82,11 @@ def _steps(course: Course) -> list[Step]:
                 done.append((done[-1][0][-1:], f"for {scope.quantity(phase.trigger.delay)} seconds"))
         course.behind = _overtaken_later(course, phases[i:])
         done.extend(steps(course, phase))
+        if phase.until is not None and done:
+            actor = course.actor
+            done[-1] = (done[-1][0], f"until {watched(actor.structure, actor.plan, phase.until, actor.cid)}")
+            if i + 1 == len(phases):  # it drives on
+                done.append(([course.drive(None if course.value > 0 else scope.number(SETS_OUT))], ""))
         if _at_line(course.actor, phase, i) and (turn := its_turn(course.actor)):
             done.append(([course.drive("0", 4)], f"until {turn}"))
     return done
@@ -127,8 +134,10 @@ def _in_egos_lane(actor: Actor) -> bool:
 
 def _red(actor: Actor) -> bool:
     """Whether the light before the junction is red."""
-    light = getattr(actor.structure.settings.spec, "light", None)
-    return actor.plan.place.control == "signal" and light == "red"
+    settings = actor.structure.settings.spec
+    if actor.plan.place.control != "signal" or not isinstance(settings, SettingsSpec):
+        return False
+    return settings.light == "red" or any(c.to in lights.HALTS for c in settings.light_changes)
 
 
 def _at_the_line(phases: list[Phase], red: bool) -> list[Phase]:
@@ -144,6 +153,9 @@ def _at_the_line(phases: list[Phase], red: bool) -> list[Phase]:
 def phases_of(actor: Actor) -> list[Phase]:
     """The phases, with what the place asks of ego (its red light, its stop sign) put first."""
     phases = list(actor.spec.phases)
+    settings, runs = actor.structure.settings.spec, any(p.action == "run_red" for p in phases)
+    if actor.is_ego and not runs and isinstance(settings, SettingsSpec) and settings.light_changes:
+        phases = lights.obeyed(phases, settings)
     if actor.approach:
         phases = _up_to_contact(phases)
     if 1 not in actor.plan.offsets:  # by the oncoming lane: the overtaking says so

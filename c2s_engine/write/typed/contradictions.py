@@ -7,7 +7,7 @@ from functools import cache
 import yaml
 
 from c2s_engine.paths import shipped
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, LightChange, ObjectSpec, PlaceSpec
 
 
 class ResolveError(ValueError):
@@ -90,8 +90,13 @@ FITS = {
     "gap": ("cut_in", "cut_out", "lane_change", "overtake", "brake", "stop", "follow"),
     "lateral_speed": ("lane_change", "cut_in", "cut_out", "swerve", "drift"),
     "abandoned": ("lane_change", "cut_in", "overtake"),
+    "clearance": ("stop", "swerve", "keep_lane"),
 }
 """The actions of which a phase can say a field."""
+OVER_BY_ITSELF = ("turn_left", "turn_right", "go_straight", "u_turn", "run_red", "run_stop", "collide", "cut_in")
+"""What is over when it is done: nothing else can end it."""
+AT_JUNCTION = ("stop_line", "in_intersection", "past_intersection")
+OF_TWO = ("apart", "passed", "seen", "contact")
 
 
 def misplaced(actors: dict[str, EgoSpec | ObjectSpec], ramp: bool) -> ResolveError | None:
@@ -104,9 +109,46 @@ def misplaced(actors: dict[str, EgoSpec | ObjectSpec], ramp: bool) -> ResolveErr
                     known = ", ".join(actions).replace("_", " ")
                     why = f"{path}.{name} says nothing of a {action}: it is for {known}"
                     return ResolveError(f"{why}. Leave it out, or change the action", (f"{path}.{name}",))
+            if phase.until is not None and phase.action in OVER_BY_ITSELF:
+                why = f"{path}.until ends no {action}: it is over when it is done"
+                return ResolveError(f"{why}. Leave it out, or give the next phase a trigger", (f"{path}.until",))
+            if phase.clearance is not None and phase.target is None:
+                why = f"{path}.clearance is the room to somebody: say to whom by its target"
+                return ResolveError(why, (f"{path}.clearance", f"{path}.target"))
             if phase.trigger is not None and phase.trigger.place == "merge_end" and not ramp:
                 why = f"{path} waits for the end of an acceleration lane, and nobody comes up a ramp"
                 return ResolveError(f"{why}: place somebody on one", (f"{path}.trigger.place", "O.placement.position"))
+    return None
+
+
+def unwatchable(
+    place: PlaceSpec, actors: dict[str, EgoSpec | ObjectSpec], changes: tuple[LightChange, ...]
+) -> ResolveError | None:
+    """The first trigger of which nothing can come at that place."""
+    watched = [
+        (f"{cid}.phases.{i}.{name}", "ego" if cid == "E" else cid, t)
+        for cid, spec in actors.items() for i, phase in enumerate(spec.phases)
+        for name, t in (("trigger", phase.trigger), ("until", phase.until)) if t is not None
+    ]  # fmt: skip
+    watched += [(f"G.light_changes.{i}.when", "ego", c.when) for i, c in enumerate(changes)]
+    for path, own, t in watched:
+        if t.kind in OF_TWO and t.of is not None and t.of == (t.subject or own):
+            why = f"{path} is about {t.of} and itself: it takes two road users"
+            return ResolveError(f"{why}. Change of or subject", (f"{path}.of", f"{path}.subject"))
+        if t.kind == "light" and t.light is None:
+            return ResolveError(f"{path} waits for a light: say in light what it shows", (f"{path}.light",))
+        if t.kind == "light" and place.control != "signal":
+            why = f"{path} waits for a traffic light, and there is none: set R.control to 'signal'"
+            return ResolveError(why, ("R.control", f"{path}.kind"))
+        if t.place in AT_JUNCTION and place.kind not in ("intersection", "roundabout"):
+            why = f"{path} waits for an intersection, and there is none: set R.kind to 'intersection'"
+            return ResolveError(why, ("R.kind", f"{path}.place"))
+        if t.place == "bend" and place.kind != "curve":
+            why = f"{path} waits for a bend, and there is none: set R.kind to 'curve'"
+            return ResolveError(why, ("R.kind", f"{path}.place"))
+    if changes and place.control != "signal":
+        why = "G.light_changes needs a traffic light: set R.control to 'signal'"
+        return ResolveError(why, ("R.control", "G.light_changes"))
     return None
 
 

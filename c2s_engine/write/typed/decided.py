@@ -59,7 +59,16 @@ def _decided(structure: Structure, written: Structure, plan: Plan, cid: Componen
         yield Assumption(field="model", value=size, reason=reason, by=BY)
     for path, was, now in differences(asked, spec):
         reason = "left open: the writer's choice" if was is None else f"written so for {_shown(path, was)}"
+        if was is None and path.endswith("speed") and (pace := _pace(asked, path)):
+            reason = f"what {pace.replace('_', ' ')!r} means of a {asked.type.replace('_', ' ')} (data/paces.yaml)"  # type: ignore[union-attr]
         yield Assumption(field=path, value=_shown(path, now), reason=reason, by=BY)
+
+
+def _pace(asked: Spec, path: str) -> str | None:
+    """The pace that S gives beside a speed."""
+    for part in path.split(".")[:-1]:
+        asked = asked[int(part)] if part.isdigit() else getattr(asked, part)  # type: ignore[index]
+    return getattr(asked, "pace", None)
 
 
 def _speed(spec: EgoSpec | ObjectSpec, plan: Plan) -> Any:

@@ -3,13 +3,11 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec
-from c2s_engine.write.typed import behaviour, meetings, reactions, scope
+from c2s_engine.write.typed import behaviour, lights, meetings, reactions, scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.lanes import pulls_out
-from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.settings import lights
-from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS, TURN
+from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS
 from c2s_engine.write.typed.threats import threatening
 from c2s_engine.write.typed.usual import speed_of
 
@@ -26,29 +24,6 @@ def _start(spec: EgoSpec, said: EgoSpec) -> list[str]:
         "    facing heading_at(place.lane, EGO_AT),",
         "    with regionContainedIn everywhere,",
     ]
-
-
-TURNS_GREEN = """
-monitor TurnsGreen():
-    wait
-    while ego.speed > 0.3:
-        wait
-    while True:
-        setClosestTrafficLightStatus(ego, 'green')
-        wait
-require monitor TurnsGreen()"""
-
-
-def _lights(structure: Structure, plan: Plan, spec: EgoSpec) -> list[str]:
-    """The light that ego comes to, where S leaves it open; a red one turns green where ego stops at it and goes on."""
-    light, actions = getattr(structure.settings.spec, "light", None), [p.action for p in spec.phases]
-    if plan.place.control != "signal" or "run_red" in actions:
-        return []
-    if light is None:
-        return lights("green")
-    stop = next((i for i, a in enumerate(actions) if a in STANDS), len(actions))
-    goes_on = any(a in TURN or a in ("start", "accelerate") for a in actions[stop:])
-    return TURNS_GREEN.split("\n") if light == "red" and goes_on else []
 
 
 def write_ego(structure: Structure, plan: Plan) -> str:
@@ -81,6 +56,6 @@ def write_ego(structure: Structure, plan: Plan) -> str:
         f"    with blueprint '{model}',",
         *(["    with regionContainedIn everywhere,"] if spec.type == "bus" and not pulls_out(said) else []),
         "    with behavior EgoBehavior()",
-        *_lights(structure, plan, spec),
+        *lights.of_ego(structure, plan, spec),
     ]
     return "\n".join(lines)

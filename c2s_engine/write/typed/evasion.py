@@ -1,6 +1,7 @@
 """Out of one's lane and back: round what is in the way, and how one slides that has lost control."""
 
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.collisions import Step, struck_beside
@@ -71,7 +72,8 @@ def goes_round(c: Course, p: Phase) -> list[Step]:
     """Out as far as the target takes, past it, past those who are met there, and back."""
     s, target = c.actor.structure, str(p.target)
     side = {"left": ", 1", "right": ", -1", None: ""}[p.side]
-    aside = f"lambda: way_round(self, line, [{every(s, target)}]{side})"
+    room = f", room={scope.number(middle(p.clearance))}" if p.clearance is not None else ""
+    aside = f"lambda: way_round(self, line, [{every(s, target)}]{side}{room})"
     slower = c.speed if p.speed is not None or _small(c, target) else scope.number(CAUTION * c.value)
     past = " and ".join(f"lead_on({one}, self) < -self.length" for one in members(s, target))
     found = [([c.drive(slower, 4, aside, 2.5)], f"until {past}")]

@@ -23,7 +23,8 @@ def lane_offset(cid: str, objects: dict[str, ObjectSpec], seen: tuple[str, ...] 
                 f"{cid} is placed relative to {placement.of}, which is not there", (f"{cid}.placement.of",)
             )
         of = lane_offset(placement.of, objects, (*seen, cid))
-    step = {"ahead": 0, "behind": 0, "partly_in_lane": 0, "left_lane": 1, "right_lane": -1}.get(placement.position)
+    step = {"ahead": 0, "behind": 0, "partly_in_lane": 0, "left_lane": placement.lanes_over,
+            "right_lane": -placement.lanes_over}.get(placement.position)  # fmt: skip
     if placement.position == "beside":
         step = -1 if placement.side == "right" else 1
     if step and placement.lateral is not None:  # beyond the next lane

@@ -45,6 +45,8 @@ def _last(phases: tuple[Phase, ...]) -> Phase | None:
 
 def _of_ego(structure: Structure, plan: Plan, ego: EgoSpec) -> list[str] | None:
     last, light = _last(ego.phases), getattr(structure.settings.spec, "light", None)
+    if ego.phases and ego.phases[-1].until is not None:
+        return Unknown
     if last is None and ego.reaction == "evade" and (others := threatening(structure)):
         last = Phase(action="swerve", target=ego.react_to or others[0])
     onward = ["ego._lane is place.exit_lane"] if plan.place.kind == "intersection" else []
@@ -68,6 +70,8 @@ def _of_ego(structure: Structure, plan: Plan, ego: EgoSpec) -> list[str] | None:
 
 def _of_object(structure: Structure, plan: Plan, cid: str, o: ObjectSpec) -> list[str] | None:
     last, one = _last(o.phases), members(structure, cid)[-1]
+    if o.phases and o.phases[-1].until is not None:
+        return Unknown
     if crosses(o):
         return [f"lead_on({one}, ego) < -3 or ego.speed < 0.3 and {one}.speed < 0.3"]
     if is_static(o):

@@ -10,6 +10,7 @@ from c2s_engine.write.typed.stations import at_door, inside, way_out
 from c2s_engine.write.typed.tables import LANE_NAME, LENGTH, MOVES_OFF_ROAD, WIDTH, is_walker
 from c2s_engine.write.typed.threats import is_hit
 from c2s_engine.write.typed.usual import crosses, pace_of, walks_first
+from c2s_engine.write.typed.watching import watched, watches
 
 ACROSS = {"cross_road", "enter_road", "collide"}
 ON_LANE = {"stop", "stationary", "wait", "move_along"}
@@ -120,7 +121,7 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
     across = f"self.heading {'-' if spec.placement.side == 'left' else '+'} 90 deg"
     heading = across if walks_first(spec) else "self.heading"
     usual = f"{scope.constant(structure, cid)}_SPEED"
-    lines = [f"line = {_egos_way(plan)}"] if any(p.action in {*ACROSS, "leave_road"} for p in phases) else []
+    lines = [f"line = {_egos_way(plan)}"] if any(map(_by_egos_way, phases)) else []
     begun = False
     for i, phase in enumerate(phases):
         then = phases[i + 1] if i + 1 < len(phases) else None
@@ -131,7 +132,9 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
         waits = then is not None and (
             then.trigger and not until or _crosses_next(then) and not begun and phase.action not in ACROSS
         )
-        if then is not None and waits:
+        if phase.until is not None:
+            until = f" until {watched(structure, plan, phase.until, cid)}"
+        elif then is not None and waits:
             until = f" until {_sets_out(structure, cid, spec, then, plan, own)}"
         if phase.action in ACROSS:
             if i == 0:
@@ -153,6 +156,11 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
         if then is not None and waits and then.trigger and then.trigger.delay is not None:
             lines.append(f"{lines[-1].removesuffix(until)} for {scope.quantity(then.trigger.delay)} seconds")
     return lines
+
+
+def _by_egos_way(phase: Phase) -> bool:
+    """Whether what somebody does, or when, is told by ego's way."""
+    return phase.action in {*ACROSS, "leave_road"} or phase.trigger is not None and phase.trigger.kind == "ttc"
 
 
 def comes_out(structure: Structure, cid: str, plan: Plan, phase: Phase, pace: float) -> str:
@@ -252,6 +260,8 @@ def _sets_out(
 ) -> str:
     """When somebody goes over to a phase: the stated trigger, or so that ego meets it on its way."""
     t = phase.trigger
+    if t and watches(t):
+        return watched(structure, plan, t, cid)
     other = scope.reference(structure, t.of) if t and t.of else "ego"
     value = scope.number(middle(t.value)) if t and t.value is not None else ""
     if t and t.kind == "time":

@@ -4,11 +4,12 @@ Pure: it looks at specs only. `make_plan` raises ResolveError, naming the fields
 """
 
 from dataclasses import replace
+from typing import Any
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import references
-from c2s_engine.structure.quantity import high, low, middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
+from c2s_engine.structure.quantity import Quantity, high, low, middle
+from c2s_engine.structure.specs import EgoSpec, LightChange, ObjectSpec, PlaceSpec
 from c2s_engine.write.typed import alongside, contradictions, lanes, layout
 from c2s_engine.write.typed import room as rooms
 from c2s_engine.write.typed.contradictions import ResolveError
@@ -18,6 +19,8 @@ from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP
 from c2s_engine.write.typed.threats import hits_ego, is_hit
 from c2s_engine.write.typed.usual import speed_of, turn_of, uses_crosswalk
 
+BEFORE_CHANGE = 3.0
+"""s that ego drives before the light changes."""
 FAST = 11.5
 """m/s at which nobody comes up to a stop sign of their own."""
 
@@ -40,6 +43,9 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     ramp = any(o.placement.position == "on_ramp" for o in objects.values())
     if misplaced := contradictions.misplaced({"E": ego, **objects}, ramp or place.kind == "on_ramp"):
         raise misplaced
+    changes = getattr(structure.settings.spec, "light_changes", ())
+    if unwatchable := contradictions.unwatchable(place, {"E": ego, **objects}, changes):
+        raise unwatchable
     oncoming = place.oncoming is True or lanes.needs_oncoming(ego, objects)
     if place.kind not in {"motorway", *RAMP} and place.oncoming is None and lanes.kerb_side(ego, objects) == "left":
         oncoming = True  # the far side of a street lies beyond its oncoming lanes
@@ -58,8 +64,10 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     ways = {cid: (o.placement.position, turn_of(o.phases)) for cid, o in crossing.items()}
     speed, top = middle(speed_of(ego, place)), high(speed_of(ego, place))
     duration = getattr(restrictions, "duration", None) or 20.0
+    kind = place.model_copy(update={"kind": "on_ramp"}) if ramp else place
     met = frozenset(cid for cid, o in crossing.items() if hits_ego(o) or is_hit(ego, cid))
     set_out = frozenset(cid for cid in met if _sets_out(objects[cid]))
+    way = rooms.distance(kind, top, ego, objects, room, bool(set_out))
     plan = Plan(
         place=place,
         duration=duration,
@@ -67,9 +75,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         ego_top=top,
         before=rooms.before(ego, objects, speed, place),
         after=rooms.after(place, top, duration, ego, objects),
-        distance=rooms.distance(
-            place.model_copy(update={"kind": "on_ramp"}) if ramp else place, top, ego, objects, room, bool(set_out)
-        ),
+        distance=_seen_to_change(way, place, changes, top * room),
         offsets=offsets,
         base=base,
         approaches=tuple(sorted({way for cid, way in ways.items() if cid not in passed})),
@@ -88,6 +94,15 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         across=room < rooms.SHORTEST,
     )
     return _with_room(structure, plan)
+
+
+def _seen_to_change(way: Quantity | None, place: PlaceSpec, changes: tuple[LightChange, ...], ahead: float) -> Any:
+    """The way to the junction (m), where S leaves it open, with `BEFORE_CHANGE` s of `ahead` m each before ego is
+    as near to the light as it is when that changes."""
+    near = [middle(c.when.value or 0) for c in changes if c.when.kind == "place" and c.when.subject in (None, "ego")]
+    if not near or way is None or place.distance is not None:
+        return way
+    return max(high(way), max(near) + BEFORE_CHANGE * ahead)
 
 
 def _with_room(structure: Structure, plan: Plan) -> Plan:

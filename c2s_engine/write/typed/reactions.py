@@ -49,6 +49,7 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
         seen = once_seen(actor.structure, moving)
         return _around(statements, seen, 3, _brakes(seen)) if moving else statements
     round_it = {p.target for p in spec.phases if p.action == "overtake" and not _slows(actor.structure, p.target)}
+    round_it |= {p.target for p in spec.phases if p.clearance is not None}  # or keeps its own room to them
     cids = [c for c in cids if c not in round_it]  # ego drives past these
     if spec.reaction != "brake" or not cids or spec.react_to in {c for c in round_it if _stands(actor.structure, c)}:
         return statements

@@ -15,6 +15,10 @@ def write_restrictions(structure: Structure, plan: Plan) -> str:
     assert isinstance(spec, RestrictionsSpec)
     lines = []
     for c in spec.require:
+        if c.kind == "closest":  # judged by what the run shows: a program that forbade it would only be rejected
+            one, other = scope.reference(structure, c.subject), scope.reference(structure, c.other or "ego")
+            lines.append(f"record gap({one}, {other}) as gap_{c.subject}_{c.other or 'ego'}")
+            continue
         when = "" if c.kind in AT_START else "eventually "
         lines.append(f"require {when}{_condition(structure, c)}")
     for c in spec.terminate_when:

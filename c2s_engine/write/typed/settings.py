@@ -3,6 +3,7 @@
 from c2s_engine import driving
 from c2s_engine.structure.components import Component
 from c2s_engine.structure.specs import SettingsSpec
+from c2s_engine.write.typed import lights
 from c2s_engine.write.typed.scope import number
 from c2s_engine.write.typed.tables import SUN, WEATHER
 
@@ -32,19 +33,6 @@ def weather_value(spec: SettingsSpec) -> str:
     return "{" + ",\n    ".join(rows) + "}"
 
 
-def lights(state: str) -> list[str]:
-    """What keeps the light that ego comes to in a state, and those of the other approaches in theirs."""
-    return [
-        "",
-        "monitor TrafficLight():",
-        "    freezeTrafficLights()",
-        "    while True:",
-        f"        setClosestTrafficLightStatus(ego, '{state}')",
-        "        wait",
-        "require monitor TrafficLight()",
-    ]
-
-
 def write_settings(component: Component, map_file: str, carla_map: str | None) -> str:
     """The header of the program."""
     spec = component.spec
@@ -57,6 +45,6 @@ def write_settings(component: Component, map_file: str, carla_map: str | None) -
         "model scenic.simulators.carla.model",
         driving.IMPORT,
     ]
-    if spec.light:
-        lines += lights(spec.light)
+    if spec.light and not lights.changing(spec):  # what follows others is written with ego
+        lines += lights.held(spec.light)
     return "\n".join(lines)

@@ -18,6 +18,7 @@ from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_the
 from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.people import BACKS_OUT
 from c2s_engine.write.typed.tables import LANE_NAME, LANE_WIDTH, MOVES_OFF_ROAD, RAMP
+from c2s_engine.write.typed.threats import every
 from c2s_engine.write.typed.towards import ending, yields
 from c2s_engine.write.typed.usual import SETS_OUT, reach
 
@@ -59,7 +60,9 @@ def _side(phase: Phase, default: int) -> int:
 
 def _keep_lane(c: Course, p: Phase) -> list[Step]:
     goal = c.set(c.wanted(p, c.value))
-    return [([c.drive(goal, middle(p.rate) if p.rate else None)], ending(p, ""))]
+    aside = f"lambda: leaving_room(self, line, {c.actor.ref(p.target)}, {scope.number(middle(p.clearance))})" \
+        if p.clearance is not None else ""  # fmt: skip
+    return [([c.drive(goal, middle(p.rate) if p.rate else None, aside)], ending(p, ""))]
 
 
 def _over_junction(c: Course, p: Phase) -> list[Step]:
@@ -106,7 +109,11 @@ def _stop(c: Course, p: Phase) -> list[Step]:
     rate = middle(p.rate) if p.rate else (7 if _hard(c) else 3.5)
     drive = c.drive("0", rate)
     first: Step = ([drive], "until self.speed < 0.2")
-    if p.trigger == AT_LINE and (lane := c.actor.to_junction):
+    if p.clearance is not None and p.target:
+        them, room = every(c.actor.structure, p.target), scope.number(middle(p.clearance))
+        rest = f"lambda: short_of(self, line, [{them}], {c.speed}, {scope.number(rate)}, {room})"
+        return [([c.drive(rest, 9)], "until self.speed < 0.2"), ([c.drive("0", rate)], ending(p, "for 1 seconds"))]
+    if p.trigger and (p.trigger == AT_LINE or p.trigger.kind == "light") and (lane := c.actor.to_junction):
         own = "" if rate == 3.5 else f", rate={scope.number(rate - 0.5)}"
         first = ([f"do StopAtLine(line, {lane}, {c.speed}{own})"], "")
     if p.duration is None and (until := sets_out_to_meet(c)):

@@ -31,6 +31,8 @@ WEATHER: dict[str, dict[str, float]] = _TABLES["weather"]
 SUN: dict[str, float] = _TABLES["sun"]
 RESERVED: frozenset[str] = frozenset(_TABLES["reserved"]) | driving.names()
 WORKS = {"construction_zone", "lane_closure"}
+FLAT = {"slippery_patch"}
+"""What one drives over."""
 MOVES_OFF_ROAD = {"roadside", "sidewalk", "parked"}
 JUNCTION = {"intersection", "roundabout"}
 RAMP = {"on_ramp", "off_ramp"}

@@ -6,7 +6,7 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.stations import at_door
-from c2s_engine.write.typed.tables import HALF_LANE, is_static, is_walker
+from c2s_engine.write.typed.tables import FLAT, HALF_LANE, is_static, is_walker
 from c2s_engine.write.typed.usual import crosses
 
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
@@ -28,7 +28,9 @@ def is_hit(ego: EgoSpec, cid: str) -> bool:
 
 def threatening(structure: Structure) -> list[str]:
     """The ids of the objects that may come into ego's way: all that move, and what stands in its lane."""
-    objects = [(c.id, c.spec) for c in structure.objects if isinstance(c.spec, ObjectSpec)]
+    objects = [
+        (c.id, c.spec) for c in structure.objects if isinstance(c.spec, ObjectSpec) and c.spec.type not in FLAT
+    ]
     return [cid for cid, spec in objects if spec.placement.position in IN_WAY or not is_static(spec)]
 
 
@@ -37,6 +39,8 @@ def standing(structure: Structure, lane_of: dict[str, int | None]) -> str | None
     for c in structure.objects:
         spec = c.spec
         if not isinstance(spec, ObjectSpec) or not is_static(spec) or spec.placement.position not in IN_WAY:
+            continue
+        if spec.type in FLAT:
             continue
         if lane_of.get(c.id) in (0, None):
             return c.id

@@ -13,9 +13,12 @@ from c2s_engine.write.typed.tables import LENGTH, WORKS, is_static
 from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, standing, threatening
 from c2s_engine.write.typed.towards import before_standing, in_next_lane, opposite_standing
 from c2s_engine.write.typed.usual import crosses, speed_of
+from c2s_engine.write.typed.watching import watched, watches
 
 ASIDE = 1.0
 """m from the middle of its lane at which one is seen to leave it."""
+CAN_STOP = 10
+"""Twice the m/s2 at which one stops for a light that changes."""
 FORCED = {"brake", "stop", "swerve", "lane_change"}
 DELAYED = {
     "brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road",
@@ -27,6 +30,11 @@ def stated(course: Course, phase: Phase) -> str:
     """The condition that ends what comes before a phase with a trigger: `until ...` or `for ...`."""
     t = phase.trigger
     assert t is not None
+    if watches(t):
+        condition = watched(course.actor.structure, course.actor.plan, t, course.actor.cid)
+        if t.kind == "light" and phase.action == "stop" and (lane := course.actor.to_junction):  # if it still can
+            condition += f" and to_line(self, {lane}) > self.speed ** 2 / {CAN_STOP}"
+        return f"until {condition}"
     other = course.actor.ref(t.of)
     value = middle(t.value) if t.value is not None else None
     if t.kind == "time":
@@ -53,7 +61,7 @@ COMES_OVER = {
 def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     """The trigger of a phase that names none: what ego is forced to waits for the need, a cut-in for its gap."""
     a = course.actor
-    if phase.trigger is not None:
+    if phase.trigger is not None or phase.action == "stop" and phase.clearance is not None:
         return ""
     if first and (until := comes_out(a.structure, a.cid, a.plan, phase, course.wanted(phase, a.value or 2))):
         return until
@@ -152,6 +160,11 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
         spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
         whom = next((p.target for p in getattr(spec, "phases", ()) if p.action == action), None)
         return f"lead_on({other}, {scope.reference(structure, whom or 'ego')}) > -5"
+    if action == "collide":
+        spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
+        whom = next((p.target for p in getattr(spec, "phases", ()) if p.action == action), None)
+        if whom is not None or cid not in ("E", "ego"):
+            return f"touch({other}, {scope.reference(structure, whom or 'ego')})"
     if action in ("oncoming", "lose_control"):
         return f"place.lane.centerline.distanceTo({other}.position) > {ASIDE}"
     return f"(distance from ego to {other}) < 20"

@@ -1,0 +1,280 @@
+"""What a trigger watches, on the tracks: a phase begins as that comes about, and ends where it is said to end then."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from c2s_engine.require import moments
+from c2s_engine.require.evidence import STANDING, Evidence, Motion
+from c2s_engine.require.geometry import box_distance
+from c2s_engine.require.results import between, decided, scored, unknown
+from c2s_engine.require.scene import Scene, bounds
+from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.quantity import high, low, middle
+from c2s_engine.structure.requirements import Requirement, Result, Value
+from c2s_engine.structure.specs import Phase, SettingsSpec, Trigger
+
+NEW_PLACES = ("stop_line", "in_intersection", "past_intersection", "bend")
+JUDGED_HERE = ("apart", "passed", "speed", "light", "seen", "contact")
+"""Kinds of trigger that are judged here, whoever waits; the others where they are about another than who waits."""
+STANDS = ("stationary", "wait", "stop", "yield")
+SHOWN_AS = {"dark": ("off",), "flashing": ("yellow", "off")}
+"""What the signal of a light shows that is out of order, or flashes."""
+BENDS = 1 / 150
+"""1/m: a bend's curvature."""
+REACHED = 0.5
+"""m/s within which a speed is reached."""
+
+Array = np.ndarray
+
+
+def required(scene: Scene) -> Iterator[Requirement]:
+    for actor, i, phase in scene.phases():
+        cid, path = "E" if actor == EGO else actor, f"phases.{i}"
+        name, said, of = scene.named(actor), phase.action.replace("_", " "), f"{cid}.{path}.{phase.action}"
+        t = phase.trigger
+        if t is not None and judged_here(t, actor) and scene.stated(cid, f"{path}.trigger"):
+            yield scene.make("order", "begins_when", actor, f"{path}.trigger", f"{name}: {said} begins when "
+                             f"{words(scene, t, actor)}.", of=of, action=phase.action,
+                             delay=middle(t.delay or 0.0), **_values(scene, t, actor))  # fmt: skip
+        if phase.until is not None and scene.stated(cid, f"{path}.until"):
+            yield scene.make("order", "ends_when", actor, f"{path}.until", f"{name}: {said} until "
+                             f"{words(scene, phase.until, actor)}.", of=of, action=phase.action,
+                             **_values(scene, phase.until, actor))  # fmt: skip
+        yield from _clearance(scene, actor, path, phase)
+    settings = scene.structure.settings.spec
+    for i, change in enumerate(settings.light_changes if isinstance(settings, SettingsSpec) else ()):
+        text = f"The light turns {change.to} when {words(scene, change.when, EGO)}."
+        yield scene.make("settings", "light_turns", EGO, f"light_changes.{i}", text, component="G",
+                         delay=middle(change.when.delay or 0.0), **_values(scene, change.when, EGO),
+                         turns=change.to)  # fmt: skip
+    for i, c in enumerate(getattr(scene.structure.restrictions.spec, "require", ())):
+        if c.kind == "closest":
+            least, most = c.minimum or 0.0, c.maximum if c.maximum is not None else np.inf
+            one, other = scene.named(c.subject), scene.named(c.other or EGO)
+            room = f"no nearer than {least:g} m" if np.isinf(most) else f"within {least:g} to {most:g} m"
+            yield scene.make("outcome", "closest", c.subject, f"require.{i}", f"{one} and {other} come {room} of one "
+                             "another.", other=c.other or EGO, component="T", least=least, most=most)  # fmt: skip
+
+
+def judged_here(t: Trigger, actor: str) -> bool:
+    """Whether the moment of a phase is judged here; c2s_engine/require/phases.py judges the others."""
+    return t.kind in JUDGED_HERE or t.place in NEW_PLACES or t.subject not in (None, actor)
+
+
+def words(scene: Scene, t: Trigger, actor: str) -> str:
+    """A trigger as sentences say it."""
+    subject = t.subject or actor
+    return clause(t, scene.named(subject), scene.named(t.of or _other(scene, subject)))
+
+
+def clause(t: Trigger, one: str, other: str) -> str:
+    """What a trigger watches, in words; `one`, `other`: how its subject and the other are called."""
+    value = f"{low(t.value):g}" if t.value is not None else "some"
+    value += f" to {high(t.value):g}" if t.value is not None and high(t.value) > low(t.value) else ""
+    action, place = (t.action or "").replace("_", " "), (t.place or "").replace("_", " ")
+    patterns = {
+        "distance": f"{one} is {value} m from {other}", "apart": f"{one} is as far as {value} m from {other}",
+        "ttc": f"{one} is {value} s from {other}", "time": f"{value} s have passed",
+        "action": f"{other}: {action} begins", "passed": f"{one} has gone by {other}",
+        "speed": f"{one} goes at {value} m/s",
+        "light": f"the light before {one} is {t.light}", "seen": f"{one} can see {other}",
+        "contact": f"{one} and {other} touch", "place": f"{one} is {value} m before the {place}",
+    }  # fmt: skip
+    inside = {"in_intersection": "in", "past_intersection": "past"}.get(t.place or "")
+    said = f"{one} is {inside} the intersection" if inside else patterns[t.kind]
+    if t.kind == "place" and not inside and (t.value is None or high(t.value) == 0):
+        said = f"{one} is at the {place}"
+    return said + (f", and {low(t.delay):g} s later" if t.delay is not None else "")
+
+
+def _other(scene: Scene, subject: str) -> str:
+    return EGO if subject != EGO else next(iter(scene.objects), EGO)
+
+
+def _values(scene: Scene, t: Trigger, actor: str) -> dict[str, Value]:
+    subject = t.subject or actor
+    awaited = ""
+    for who, i, phase in scene.phases():
+        if t.kind == "action" and who == (t.of or EGO) and phase.action == t.action:
+            awaited = f"{'E' if who == EGO else who}.phases.{i}.{phase.action}"
+    return {
+        "watched": t.kind, "subject": subject, "than": t.of or _other(scene, subject), "awaited": awaited,
+        "its": t.action or "", "place": t.place or "", "light": t.light or "",
+        "value": middle(t.value) if t.value is not None else -1.0,
+    }  # fmt: skip
+
+
+def comes_about(requirement: Requirement, evidence: Evidence) -> float | None:
+    """When what is watched first holds, s; None: never, or nothing was recorded of it."""
+    v = requirement.values
+    kind, value = str(v["watched"]), float(v["value"])  # type: ignore[arg-type]
+    if kind == "time":
+        return value
+    if kind == "action":
+        seen, motion = evidence.times.get(str(v["awaited"])), evidence.motion(str(v["than"]))
+        return moments.onset(motion, str(v["its"]), seen) if seen is not None and motion else seen
+    one, other = evidence.motion(str(v["subject"])), evidence.motion(str(v["than"]))
+    if one is None:
+        return None
+    if kind == "light":
+        return _light(one, evidence, str(v["light"]))
+    if kind == "speed":
+        off = one.smooth - value
+        crossed = np.flatnonzero((np.abs(off) < REACHED) | (np.sign(off) != np.sign(off[0])))
+        return float(one.time[crossed[0]]) if len(crossed) else None
+    if kind == "place":
+        return _at_place(one, str(v["place"]), max(value, 0.0))
+    if other is None:
+        return None
+    if kind == "contact":
+        found = evidence.contacts(str(v["subject"]), str(v["than"]))
+        return found[0].time if found else None
+    if kind == "seen":
+        return other.visible_from() if v["subject"] == EGO else None
+    holds = _of_two(kind, one, other, value)
+    first = np.flatnonzero(holds)
+    return float(one.time[first[0]]) if len(first) else None
+
+
+def _of_two(kind: str, one: Motion, other: Motion, value: float) -> Array:
+    """At each step whether it holds of two that are both there."""
+    n = min(len(one.x), len(other.x))
+    dx, dy = other.x[:n] - one.x[:n], other.y[:n] - one.y[:n]
+    if kind == "passed":
+        along = -np.sin(one.heading[:n]) * dx + np.cos(one.heading[:n]) * dy
+        return along < -one.size[0] / 2
+    gap = box_distance(one.poses[:n], other.poses[:n], one.size, other.size)
+    if kind == "ttc":
+        closing = -np.gradient(gap, one.step)
+        return (closing > 0.1) & (gap < value * np.maximum(closing, 0.1))
+    return gap > value if kind == "apart" else gap < value
+
+
+def _at_place(motion: Motion, place: str, before: float) -> float | None:
+    """When its front is so far (m) before a place on its way; of a junction when it is in it or has left it."""
+    front = motion.of_course("along") + motion.size[0] / 2
+    if place == "bend":
+        along = motion.of_course("along")
+        turned = np.abs(motion.heading - motion.heading[0])
+        bend = np.flatnonzero(turned > 0.06)
+        if not len(bend):
+            return None
+        there = np.flatnonzero(front > along[bend[0]] - before)
+        return float(motion.time[there[0]]) if len(there) else None
+    kinds = {"stop_line": "line", "crosswalk": "crosswalk", "merge_end": "merge"}
+    marks = [m for m in motion.course.marks if m.kind == kinds.get(place, "junction")]
+    marks = marks or [m for m in motion.course.marks if place == "stop_line" and m.kind == "junction"]
+    if not marks:
+        return None
+    first = min(marks, key=lambda m: m.start)
+    goal = {"past_intersection": first.end + motion.size[0], "merge_end": first.end}.get(place, first.start) - before
+    there = np.flatnonzero(front >= goal - (0.5 if place != "past_intersection" else 0.0))
+    return float(motion.time[there[0]]) if len(there) else None
+
+
+def _light(motion: Motion, evidence: Evidence, state: str) -> float | None:
+    """When the light on its way shows a state."""
+    names = {m.name for m in motion.course.marks if m.kind == "line" and m.control == "signal"}
+    wanted = SHOWN_AS.get(state, (state,))
+    return next((t for t, where, shown in evidence.trajectories.lights if where in names and shown in wanted), None)
+
+
+def begins_when(requirement: Requirement, evidence: Evidence) -> Result:
+    v, said = requirement.values, "as that comes about"
+    motion, seen = evidence.motion(requirement.actor), evidence.times.get(str(v["of"]))
+    if motion is None or seen is None:
+        return unknown(requirement, said, "not reached: it was not seen")
+    since = comes_about(requirement, evidence)
+    if since is None:
+        return decided(requirement, False, said, f"at {seen:.1f} s, and that never comes about", seen)
+    due = since + float(v["delay"])  # type: ignore[arg-type]
+    begun = moments.onset(motion, str(v["action"]), seen)
+    room = bounds()["order"]["begins"]["value"]
+    off = max(due - begun, begun - due - room, 0.0)
+    return scored(requirement, 1.0 - off / room * 2, said, f"{begun:.1f} s, that at {since:.1f} s", begun)
+
+
+def ends_when(requirement: Requirement, evidence: Evidence) -> Result:
+    v, said = requirement.values, "until that comes about"
+    motion, seen = evidence.motion(requirement.actor), evidence.times.get(str(v["of"]))
+    if motion is None or seen is None:
+        return unknown(requirement, said, "not reached: it was not seen")
+    since = comes_about(requirement, evidence)
+    if since is None:
+        return decided(requirement, False, said, "that never comes about", seen)
+    if str(v["action"]) not in STANDS:
+        return decided(requirement, since >= seen - 0.5, said, f"that at {since:.1f} s, begun at {seen:.1f} s", since)
+    moves = np.flatnonzero((motion.speed > STANDING) & (motion.time > max(seen, since - 2.0)))
+    if not len(moves):
+        return decided(requirement, False, said, "it does not move again", since)
+    moved, room = float(motion.time[moves[0]]), bounds()["order"]["begins"]["value"]
+    off = max(since - moved, moved - since - room, 0.0)
+    return scored(requirement, 1.0 - off / room * 2, said, f"moves at {moved:.1f} s, that at {since:.1f} s", moved)
+
+
+def _clearance(scene: Scene, actor: str, path: str, phase: Phase) -> Iterator[Requirement]:
+    cid = "E" if actor == EGO else actor
+    if phase.clearance is None or phase.target is None or not scene.stated(cid, f"{path}.clearance"):
+        return
+    least, most, stands = low(phase.clearance), high(phase.clearance), phase.action == "stop"
+    where = "stands" if stands else "goes by with"
+    text = f"{scene.named(actor)}: {phase.action.replace('_', ' ')}: {where} {least:g} m " \
+        f"{'before' if stands else 'between it and'} {scene.named(phase.target)}."  # fmt: skip
+    yield scene.make("place", "clearance", actor, f"{path}.clearance", text, other=phase.target, stands=stands,
+                     least=least, most=most)  # fmt: skip
+
+
+def clearance(requirement: Requirement, evidence: Evidence) -> Result:
+    v, one, other = requirement.values, evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
+    said = f"{v['least']:g} m"
+    if one is None or other is None:
+        return unknown(requirement, said, "not reached: one of the two is not there")
+    n = min(len(one.x), len(other.x))
+    gaps = box_distance(one.poses[:n], other.poses[:n], one.size, other.size)
+    at = int(gaps.argmin())
+    if v["stands"]:
+        stands = np.flatnonzero((one.speed[:n] < STANDING) & (one.time[:n] > 0.5))
+        if not len(stands):
+            return decided(requirement, False, said, "it does not stand")
+        at = int(stands[0])
+    limits = bounds()["clearance"]
+    room = limits["stands" if v["stands"] else "passes"]["value"] + limits["share"]["value"] * float(v["most"])  # type: ignore[arg-type]
+    return between(requirement, float(gaps[at]), room, said, f"{gaps[at]:.1f} m", float(one.time[at]))
+
+
+def closest(requirement: Requirement, evidence: Evidence) -> Result:
+    v, one, other = requirement.values, evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
+    least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
+    said = f"no nearer than {least:g} m" if np.isinf(most) else f"{least:g} to {most:g} m at the nearest"
+    if one is None or other is None:
+        return unknown(requirement, said, "not reached: one of the two is not there")
+    n = min(len(one.x), len(other.x))
+    gaps = box_distance(one.poses[:n], other.poses[:n], one.size, other.size)
+    at = int(gaps.argmin())
+    touch = bool(evidence.contacts(requirement.actor, requirement.other or EGO))
+    nearest = 0.0 if touch else float(gaps[at])
+    margin = min(nearest - least, most - nearest) / max(0.5, 0.25 * least)
+    return scored(requirement, -1.0 if touch and least > 0 else margin, said, f"{nearest:.1f} m", float(one.time[at]))
+
+
+def light_turns(requirement: Requirement, evidence: Evidence) -> Result:
+    v, ego = requirement.values, evidence.motion(EGO)
+    said = f"turns {v['turns']} then"
+    due = comes_about(requirement, evidence)
+    if ego is None or due is None:
+        return unknown(requirement, said, "not reached: that never comes about")
+    due += float(v["delay"])  # type: ignore[arg-type]
+    names = {m.name for m in ego.course.marks if m.kind == "line" and m.control == "signal"}
+    wanted = SHOWN_AS.get(str(v["turns"]), (str(v["turns"]),))
+    turns = [t for t, where, shown in evidence.trajectories.lights if where in names and shown in wanted]
+    if not turns:
+        return decided(requirement, False, said, "it never shows that")
+    nearest = min(turns, key=lambda t: abs(t - due))
+    room = bounds()["order"]["turns"]["value"]
+    seen = f"{nearest:.1f} s, that at {due:.1f} s"
+    return scored(requirement, 1.0 - abs(nearest - due) / room, said, seen, nearest)
+
+
+CHECKS = {"begins_when": begins_when, "ends_when": ends_when, "clearance": clearance, "closest": closest,
+          "light_turns": light_turns}  # fmt: skip

@@ -1,0 +1,115 @@
+"""The traffic light that ego comes to: what it shows, and how that changes in the run."""
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, SettingsSpec, Trigger
+from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.order import STANDS
+from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.tables import TURN, is_static, is_vehicle
+from c2s_engine.write.typed.watching import CLOCK, watched
+
+FOR_ALL = {"flashing", "dark"}
+"""What all lights of a junction show at once."""
+HALTS = {"yellow", "red"}
+TURNS_GREEN = """
+monitor TurnsGreen():
+    wait
+    while ego.speed > 0.3:
+        wait
+    while True:
+        setClosestTrafficLightStatus(ego, 'green')
+        wait
+require monitor TurnsGreen()"""
+
+
+def changing(spec: SettingsSpec) -> bool:
+    """Whether the light changes, or shows what those of all approaches show."""
+    return bool(spec.light_changes) or spec.light in FOR_ALL
+
+
+def held(state: str) -> list[str]:
+    """What keeps the light that ego comes to in a state, and those of the other approaches in theirs."""
+    return _monitor(["    while True:", f"        setClosestTrafficLightStatus(ego, '{state}')", "        wait"])
+
+
+def of_ego(structure: Structure, plan: Plan, spec: EgoSpec) -> list[str]:
+    """The light where S leaves it open or lets it change; a red one turns green where ego stops at it and goes on."""
+    settings, actions = structure.settings.spec, [p.action for p in spec.phases]
+    if plan.place.control != "signal" or not isinstance(settings, SettingsSpec):
+        return []
+    if changing(settings):
+        return _changes(structure, plan, settings)
+    if "run_red" in actions:
+        return []
+    if settings.light is None:
+        return held("green")
+    stop = next((i for i, a in enumerate(actions) if a in STANDS), len(actions))
+    goes_on = any(a in TURN or a in ("start", "accelerate") for a in actions[stop:])
+    return TURNS_GREEN.split("\n") if settings.light == "red" and goes_on else []
+
+
+def first(settings: SettingsSpec) -> str:
+    """What it shows at the start: where S does not say it, what it can change from."""
+    if settings.light is not None:
+        return settings.light
+    return "red" if settings.light_changes[0].to == "green" else "green"
+
+
+def obeyed(phases: list[Phase], settings: SettingsSpec) -> list[Phase]:
+    """The phases of one who comes to that light, with what it does for its changes: it stops where it still can, and
+    goes on when it may."""
+    found, shows = list(phases), first(settings)
+    at = next((i for i, p in enumerate(found) if p.action in TURN), len(found))
+    waits = shows == "red"
+    if waits and not any(p.action in STANDS for p in found):
+        found.insert(at, Phase(action="stop", trigger=Trigger(kind="place", place="intersection", value=0)))
+        at += 1
+    for change in settings.light_changes:
+        if change.to in HALTS and not waits:
+            stop = next((i for i, p in enumerate(found) if p.action == "stop" and p.trigger is None), None)
+            trigger = Trigger(kind="light", light=change.to)
+            if stop is None:
+                found.insert(at, Phase(action="stop", trigger=trigger))
+                at += 1
+            else:
+                found[stop] = found[stop].model_copy(update={"trigger": trigger})
+                at = stop + 1
+            waits = True
+        elif change.to == "green" and waits:
+            if not any(p.action in ("start", "accelerate") for p in found[at:]):
+                found.insert(at, Phase(action="start", trigger=Trigger(kind="light", light="green")))
+                at += 1
+            waits = False
+    return found
+
+
+def _changes(structure: Structure, plan: Plan, settings: SettingsSpec) -> list[str]:
+    shows, lines = first(settings), []
+    for change in settings.light_changes:
+        condition = watched(structure, plan, change.when, "E", "ego")
+        lines += [f"    while not ({condition}):", *_set(structure, shows), "        wait"]
+        if change.when.delay is not None:
+            lines += [
+                "    since = simulation().currentTime",
+                f"    while (simulation().currentTime - since) * simulation().timestep < "
+                f"{scope.quantity(change.when.delay)}:",
+                *_set(structure, shows), "        wait",
+            ]  # fmt: skip
+        shows = change.to
+    return _monitor([*lines, "    while True:", *_set(structure, shows), "        wait"])
+
+
+def _set(structure: Structure, state: str) -> list[str]:
+    value = {"flashing": f"'yellow' if {CLOCK} % 1 < 0.5 else 'off'", "dark": "'off'"}.get(state, f"'{state}'")
+    if state not in FOR_ALL:
+        return [f"        setClosestTrafficLightStatus(ego, {value})"]
+    cars = [scope.reference(structure, c.id) for c in structure.objects if _drives(c.spec)]
+    return [f"        setClosestTrafficLightStatus({car}, {value})" for car in ("ego", *cars)]
+
+
+def _drives(spec: object) -> bool:
+    return isinstance(spec, ObjectSpec) and is_vehicle(spec.type) and not is_static(spec)
+
+
+def _monitor(lines: list[str]) -> list[str]:
+    return ["", "monitor TrafficLight():", "    freezeTrafficLights()", *lines, "require monitor TrafficLight()"]

@@ -1,0 +1,111 @@
+"""What a trigger watches, as a condition of the program: of any road user, whoever waits for it."""
+
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import ObjectSpec, Trigger
+from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME
+
+OF_OWN = {"distance", "ttc", "time", "place", "action"}
+"""Kinds that each behaviour words by its own way, where they are about whom it is of."""
+OF_OWN_PLACES = {None, "intersection", "merge_end"}
+CLOCK = "simulation().currentTime * simulation().timestep"
+METRES, SECONDS, SPEED = 25.0, 3.0, 5.0
+"""m, s, m/s where no value is given."""
+SAME = 0.45
+"""m/s within which a speed is reached."""
+FLASHES = {"flashing": "yellow", "dark": "off"}
+"""What a light is set to that flashes, or is out of order."""
+
+
+def watches(t: Trigger) -> bool:
+    """Whether a trigger is of those that are worded here."""
+    return t.subject is not None or t.kind not in OF_OWN or t.place not in OF_OWN_PLACES
+
+
+def watched(structure: Structure, plan: Plan, t: Trigger, own: str, name: str = "self") -> str:
+    """The condition of a trigger. `own`: the component whose phase it is, which the code calls `name`."""
+    subject = name if t.subject in (None, _reference(own)) else scope.reference(structure, str(t.subject))
+    cid = _reference(own) if t.subject is None else t.subject
+    other = _name(structure, t.of or _other(structure, cid), own, name)
+    value = middle(t.value) if t.value is not None else None
+    match t.kind:
+        case "time":
+            return f"{CLOCK} >= {scope.number(value or SECONDS)}"
+        case "ttc":
+            return f"ttc({subject}, {other}) < {scope.number(value or SECONDS)}"
+        case "distance":
+            return f"gap({subject}, {other}) < {scope.number(value or METRES)}"
+        case "apart":
+            return f"gap({subject}, {other}) > {scope.number(value or METRES)}"
+        case "passed":
+            return f"passed({subject}, {other}, 0)"
+        case "contact":
+            return f"touch({subject}, {other})"
+        case "speed":
+            off = f"abs({subject}.speed - {scope.number(value if value is not None else SPEED)})"
+            return f"{CLOCK} > 0.5 and {off} < {SAME}"
+        case "light":
+            state = FLASHES.get(t.light or "green", t.light or "green")
+            return f"getClosestTrafficLightStatus({subject}) == '{state}'"
+        case "seen":
+            return _seen(structure, subject, other, t.of)
+        case "action":
+            from c2s_engine.write.typed.triggers import observed
+
+            return observed(structure, other, t.of or "ego", t.action)
+        case _:
+            return _there(structure, plan, t, subject, cid, value or 0.0)
+
+
+def _reference(cid: str) -> str:
+    return "ego" if cid == "E" else cid
+
+
+def _name(structure: Structure, cid: str, own: str, name: str) -> str:
+    return name if cid == _reference(own) else scope.reference(structure, cid)
+
+
+def _other(structure: Structure, subject: str) -> str:
+    """Ego, or for ego the first object."""
+    return "ego" if subject != "ego" or not structure.objects else structure.objects[0].id
+
+
+def _seen(structure: Structure, subject: str, other: str, cid: str | None) -> str:
+    """That nothing is in the line of sight that S names as hiding it; near enough where nothing does."""
+    spec = structure[cid].spec if cid and cid in structure else None
+    by = spec.placement.hidden_by if isinstance(spec, ObjectSpec) else None
+    if by is None:
+        return f"({subject} can see {other})"
+    return f"not hides({scope.reference(structure, by)}, {subject}.position, {other}.position)"
+
+
+def _there(structure: Structure, plan: Plan, t: Trigger, subject: str, cid: str, value: float) -> str:
+    """That somebody has come to a place."""
+    if t.place == "in_intersection":
+        return f"{subject}._intersection is not None"
+    if t.place == "past_intersection":
+        return f"has_crossed({subject})"
+    if t.place == "merge_end":
+        end = "place.acceleration_lane"
+        return f"{subject}._lane is {end} and (distance from {subject} to {end}.centerline[-1]) < {value + METRES:g}"
+    if t.place == "bend" or t.place == "crosswalk" and plan.place.kind == "crosswalk":
+        before = f" - {scope.number(value)}" if value else ""
+        return f"along(place.lane, {subject}.position) + {subject}.length / 2 > place.mark{before}"
+    lane = _lane(structure, plan, cid)
+    if lane is None:
+        return f"{CLOCK} >= {SECONDS:g}"
+    if t.place == "intersection":
+        return f"(distance from {subject} to {lane}.centerline[-1]) < {scope.number(value)} + {subject}.length / 2"
+    return f"to_line({subject}, {lane}) < {scope.number(value + 0.3)}"
+
+
+def _lane(structure: Structure, plan: Plan, cid: str) -> str | None:
+    """The lane by which somebody comes to the junction."""
+    spec = structure[cid].spec if cid != "ego" and cid in structure else None
+    if isinstance(spec, ObjectSpec) and spec.placement.position in APPROACH_ANGLE:
+        return APPROACH_NAME[spec.placement.position]
+    if not plan.junction:
+        return None
+    return LANE_NAME.get(0 if cid == "ego" else plan.lane_of.get(cid) or 0)

@@ -7,6 +7,7 @@ from typing import Any
 import yaml
 
 from c2s_engine import paths
+from c2s_engine.solve.reaching import further
 from c2s_engine.solve.unknowns import Unknown
 from c2s_engine.structure.components import ComponentId, Structure
 from c2s_engine.structure.facts import EGO
@@ -59,6 +60,8 @@ def _ending(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unkno
 def _exact(structure: Structure, requirement: Requirement, result: Result, open_: Sequence[Unknown],
            usual: Usual) -> Iterator[Move]:  # fmt: skip
     """Corrections by as much as the run says."""
+    if move := further(structure, requirement, result, open_):
+        yield move
     if result.due is not None and (move := _in_time(structure, requirement, result.due, open_, usual)):
         yield move
     if requirement.check in TIMES and result.value is not None and result.bounds is not None:

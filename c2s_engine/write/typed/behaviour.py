@@ -72,11 +72,18 @@ def _steps(course: Course) -> list[Step]:
         if condition:
             if not done:
                 done.append(([course.drive()], ""))
+            reached = done[-1][1] if phase.trigger and phase.trigger.kind == "action" else ""
+            if reached.startswith("until self.speed"):  # it finishes what it does: what others do can still be seen
+                condition = f"{reached} and {condition.removeprefix('until ')}"
             done[-1] = (done[-1][0], condition)
             if phase.trigger and phase.trigger.delay is not None and phase.trigger.kind != "time":
                 done.append((done[-1][0][-1:], f"for {scope.quantity(phase.trigger.delay)} seconds"))
         course.behind = _overtaken_later(course, phases[i:])
+        home, course.home = course.home, []
         done.extend(steps(course, phase))
+        if home:
+            done.extend(home)
+            course.aside = ""
         if _at_line(course.actor, phase, i) and (turn := its_turn(course.actor)):
             done.append(([course.drive("0", 4)], f"until {turn}"))
     return done

@@ -11,6 +11,7 @@ from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.forms import normal
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.pockets import pocketed
+from c2s_engine.write.typed.reach import reached
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, is_vehicle
 from c2s_engine.write.typed.usual import at_corner, default_gap, right_behind, row_length, speed_of
 
@@ -54,7 +55,7 @@ def _spread(
         objects=tuple(Component(id=cid, spec=spec) for cid, spec in objects),
         restrictions=Component(id="T", spec=restrictions),
     )
-    found = apart(_rows(traffic.solved(rear_ends.solved(normal(found)))))
+    found = apart(_rows(reached(traffic.solved(rear_ends.solved(normal(found))))))
     return (found.place.spec, found.ego.spec, *(c.spec for c in found.objects))  # type: ignore[return-value, arg-type]
 
 

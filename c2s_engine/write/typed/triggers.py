@@ -14,8 +14,6 @@ from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, s
 from c2s_engine.write.typed.towards import before_standing, opposite_standing
 from c2s_engine.write.typed.usual import crosses, speed_of
 
-ASIDE = 1.0
-"""m from the middle of its lane at which one is seen to leave it."""
 FORCED = {"brake", "stop", "swerve", "lane_change"}
 DELAYED = {
     "brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road",
@@ -128,30 +126,27 @@ def _before(course: Course, cid: str | None) -> str:
 
 def observed(structure: Structure, other: str, cid: str, action: str | None) -> str:
     """What can be seen of another's action while it is at it."""
+    spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
+    target = next((p.target for p in getattr(spec, "phases", ()) if p.action == action), None)
+    whom = scope.reference(structure, target or "ego")
     if action == "stop":  # whoever drives has its speed from the first step on
         return f"simulation().currentTime * simulation().timestep > 1 and {other}.speed < 0.3"
     if action in ("stationary", "wait"):
         return f"{other}.speed < 0.3"
-    spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
-    prefix = "EGO" if cid in ("E", "ego") else scope.constant(structure, cid)
-    moving = cid in ("E", "ego") or isinstance(spec, ObjectSpec) and not is_static(spec)
-    known = moving and getattr(spec, "speed", None) not in (None, 0)
-    if action == "accelerate" and known:
-        return f"{other}.speed > {prefix}_SPEED + 0.5"
-    if action in ("start", "accelerate", "enter_road", "cross_road", "move_along"):
-        return f"{other}.speed > 0.5"
+    if action == "accelerate":
+        return f"speeds_up({other})"
     if action == "brake":
-        return f"{other}.speed < {prefix}_SPEED - 1" if known else f"{other}.speed < 3"
+        return f"slows_down({other})"
+    if action in ("start", "enter_road", "cross_road", "move_along"):
+        return f"{other}.speed > 0.5"
     if action in ("turn_left", "turn_right", "go_straight", "run_red", "run_stop"):
         return f"{other}._intersection is not None"
-    if action in (*lateral.LATERAL, "swerve", "drift"):
+    if action in (*lateral.LATERAL, "swerve", "drift", "oncoming", "lose_control"):
         return f"off_lane({other})"
     if action == "overtake":  # it is alongside
-        spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
-        whom = next((p.target for p in getattr(spec, "phases", ()) if p.action == action), None)
-        return f"lead_on({other}, {scope.reference(structure, whom or 'ego')}) > -5"
-    if action in ("oncoming", "lose_control"):
-        return f"place.lane.centerline.distanceTo({other}.position) > {ASIDE}"
+        return f"lead_on({other}, {whom}) > -5"
+    if action == "collide" and whom != other:
+        return f"touch({other}, {whom})"
     return f"(distance from ego to {other}) < 20"
 
 

@@ -119,7 +119,9 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
     answering = (p for p in scene.ego.phases if answers(p, scene.structure))
     named = scene.ego.react_to or next((t for p in answering for t in _whom(p) if t), None)
     if named is not None and named != EGO:
-        return [named] if named in scene.objects else []
+        followed = scene.ego.reaction == "follow" and any(
+            p.action == "overtake" and p.target == named for p in scene.ego.phases)  # fmt: skip
+        return [named] if named in scene.objects and not followed else []  # whom it overtakes of its own accord
     return [actor for actor, spec in scene.objects.items() if _threatens(spec)]
 
 

@@ -161,7 +161,8 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
         if action == "yield" and not times:
             times = moments.let_go_first(motion, evidence.motion(requirement.other or EGO))
         if action == "keep_lane" and earliest and not times:
-            times = moments.kept_from(motion, earliest)
+            passing = str(requirement.values["after"]).endswith(".overtake")  # coming back is part of that
+            times = moments.kept_from(motion, earliest, *((moments.LONGEST,) if passing else ()))
     later = [t for t in times if t >= earliest - bounds()["order"]["room"]["value"]]
     return min(later) if later else min(times, default=None)
 

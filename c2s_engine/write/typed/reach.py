@@ -4,16 +4,21 @@ from dataclasses import dataclass
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import ObjectSpec, Phase, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.stations import along
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static
+from c2s_engine.write.typed.threats import beside_way
 from c2s_engine.write.typed.usual import LONGEST_VIEW, default_gap, speed_of
 
 BEFORE = 2.5
 """s for which everybody drives on before a trigger comes true."""
 LASTS = 3.0
 """s that something takes which somebody does before: the search corrects what this is off by."""
+CLOSE_BY = 0.8
+"""m across the road between ego, were it to drive on, and whom it gets round who is beside its lane."""
+EVADED_AT = 4.0
+"""s before ego would be there at which it begins to do something about that."""
 CALM = {"keep_lane", "move_along", "follow", "go_straight", "stationary", "wait"}
 """What goes on until a trigger comes true."""
 TIMED = {*APPROACH_ANGLE, "intersection_exit", "on_ramp"}
@@ -33,7 +38,9 @@ class _Pair:
 
 
 def reached(structure: Structure) -> Structure:
-    """S with the gaps that are open and that a stated distance or time to collision follows from."""
+    """S with the gaps that are open and that a stated distance or time to collision follows from, and with those near
+    enough to ego's way whom it gets round."""
+    structure = _beside_the_way(structure)
     for actor in ("E", *(c.id for c in structure.objects)):
         pair = _pair(structure, actor)
         if pair is not None:
@@ -41,6 +48,22 @@ def reached(structure: Structure) -> Structure:
             assert isinstance(spec, ObjectSpec)
             changes = {"gap": round(_gap(structure, pair, spec), 1)}
             structure = structure.with_spec(pair.placed, placement=spec.placement.model_copy(update=changes))
+    return structure
+
+
+def _beside_the_way(structure: Structure) -> Structure:
+    """S whose ego passes those close by, nobody says how close, who stand or go along at the roadside and whom it evades."""
+    ego = structure.ego.spec
+    assert isinstance(ego, EgoSpec)
+    evaded = {p.target for p in ego.phases if p.action == "swerve"} | {ego.react_to if ego.reaction == "evade" else None}
+    for component in structure.objects:
+        spec = component.spec
+        assert isinstance(spec, ObjectSpec)
+        at, place = spec.placement, structure.place.spec
+        if component.id in evaded and beside_way(structure, component.id) and at.lateral is None:
+            gap = round((EVADED_AT + BEFORE) * middle(speed_of(ego, place)), 1)  # type: ignore[arg-type]
+            changes = {"lateral": CLOSE_BY, "gap": at.gap if at.gap is not None else gap}
+            structure = structure.with_spec(component.id, placement=at.model_copy(update=changes))
     return structure
 
 

@@ -12,6 +12,8 @@ from c2s_engine.write.typed.usual import crosses
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
 FOG = 65
 """m that one sees in the fog: at motorway speeds just enough to stop."""
+STAYS = {"keep_lane", "move_along", "stationary", "wait", "go_straight"}
+"""What somebody does who stays beside the road."""
 CALM = {"follow", "keep_lane", "go_straight", "turn_left", "turn_right", "move_along", "brake"}
 """What ego does before it is to stop while nothing forces it to."""
 
@@ -24,6 +26,16 @@ def hits_ego(spec: ObjectSpec) -> bool:
 def is_hit(ego: EgoSpec, cid: str) -> bool:
     """Whether ego runs into an object."""
     return any(p.action == "collide" and p.target in (cid, None) for p in ego.phases)
+
+
+def beside_way(structure: Structure, cid: str | None) -> bool:
+    """Whether ego passes somebody, or something, that is at the roadside ahead and stays there."""
+    spec = structure[cid].spec if cid and cid in structure else None
+    if not isinstance(spec, ObjectSpec):
+        return False
+    at = spec.placement
+    stays = {p.action for p in spec.phases} <= STAYS and at.facing != "across" and at.along in (None, "ahead")
+    return at.position == "roadside" and at.of == "ego" and stays
 
 
 def threatening(structure: Structure) -> list[str]:

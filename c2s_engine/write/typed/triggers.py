@@ -9,8 +9,9 @@ from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.facing import AHEAD
 from c2s_engine.write.typed.overtakings import pulls_out
 from c2s_engine.write.typed.people import comes_out
+from c2s_engine.write.typed.reach import EVADED_AT
 from c2s_engine.write.typed.tables import LENGTH, WORKS, is_static
-from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, standing, threatening
+from c2s_engine.write.typed.threats import IN_WAY, beside_way, is_stopped, on_foot, shown, standing, threatening
 from c2s_engine.write.typed.towards import before_standing, opposite_standing
 from c2s_engine.write.typed.usual import crosses, speed_of
 
@@ -61,6 +62,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return _at_gap(course, phase, first)
     if a.is_ego and phase.action in FORCED and not _stood(a, phase) and _confronted(course, phase):
         cid = phase.target or getattr(a.spec, "react_to", None) or standing(a.structure, a.plan.lane_of)
+        if beside_way(a.structure, cid):
+            return f"until ttc(self, {a.ref(cid)}) < {scope.number(EVADED_AT if first else EVADED_AT / 2)}"
         hard = getattr(a.spec, "hard", False) or (phase.rate is not None and middle(phase.rate) >= 4)
         if phase.action in ("swerve", "lane_change") and cid and (spec := course.other(cid)) and crosses(spec):
             return f"until {a.ref(cid)}.speed > 0.3"  # it sets out

@@ -119,8 +119,9 @@ def _awaited(scene: Scene) -> Iterator[Requirement]:
             continue
         text = f"{scene.named(actor)}: {phase.action.replace('_', ' ')} comes after {scene.named(trigger.of)}: " \
             f"{trigger.action.replace('_', ' ')}."  # fmt: skip
-        yield scene.make("order", "in_order", actor, f"phases.{i}.awaits", text, first=first,
-                         second=f"{_cid(actor)}.phases.{i}.{phase.action}")  # fmt: skip
+        yield scene.make("order", "awaited", actor, f"phases.{i}.awaits", text, other=phase.target, first=first,
+                         second=f"{_cid(actor)}.phases.{i}.{phase.action}", action=phase.action,
+                         events=shown_by(phase.action))  # fmt: skip
 
 
 def shown(requirement: Requirement, evidence: Evidence) -> Result:
@@ -232,6 +233,20 @@ def in_order(requirement: Requirement, evidence: Evidence) -> Result:
                   second)  # fmt: skip
 
 
+def awaited(requirement: Requirement, evidence: Evidence) -> Result:
+    """What waits for another's action comes after it; that it did the same before, as for a bend, does not matter."""
+    result = in_order(requirement, evidence)
+    first = evidence.times.get(str(requirement.values["first"]))
+    if result.holds is not False or first is None:
+        return result
+    again = [_moment(requirement, evidence, m, str(requirement.values["action"]), first)
+             for m in evidence.motions(requirement.actor)]  # fmt: skip
+    if again and all(t is not None and t >= first - bounds()["order"]["room"]["value"] for t in again):
+        evidence.times[str(requirement.values["second"])] = min(t for t in again if t is not None)
+        return in_order(requirement, evidence)
+    return result
+
+
 def _when(requirement: Requirement, evidence: Evidence) -> tuple[Motion | None, float | None]:
     return evidence.motion(requirement.actor), evidence.times.get(str(requirement.values["of"]))
 
@@ -326,5 +341,5 @@ def reaches(requirement: Requirement, evidence: Evidence) -> Result:
     return scored(requirement, 1.0 - float(off[best]) / room, kmh(least, most), f"{speed[best] * 3.6:.0f} km/h", time)
 
 
-CHECKS = {"shown": shown, "in_order": in_order, "to_side": to_side, "in_junction": in_junction, "rate": rate,
+CHECKS = {"shown": shown, "in_order": in_order, "awaited": awaited, "to_side": to_side, "in_junction": in_junction, "rate": rate,
           "reaches": reaches, "near_place": near_place, "at_distance": at_distance, **moments.CHECKS}  # fmt: skip

@@ -1,6 +1,6 @@
 """Phases to a Scenic behaviour: each becomes one `do`, ended by the next phase's trigger or its own completion."""
 
-from c2s_engine.structure.specs import ObjectSpec, Phase
+from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.order import STANDS
@@ -19,12 +19,13 @@ ON_THE_WAY = {
     "run_stop",
     "keep_lane",
     "move_along",
-    "brake",
     "accelerate",
 }
 """What the line over the junction, its lights and signs already say, or the speed at which it arrives."""
 ELSEWHERE = {*APPROACH_ANGLE, "behind", "oncoming_lane"}
 """Where those start who are no reason for ego to stop before the junction."""
+BEFORE_IT = Trigger(kind="place", place="intersection", value=6)
+"""When one brakes on its way to a junction."""
 SLOW = "5"
 """m/s at which somebody comes up to where it first stands."""
 AT_SIGN = {"run_stop", "stop", "yield", "wait", "stationary"}
@@ -55,10 +56,15 @@ def body(actor: Actor) -> list[str]:
     return out
 
 
-def _up_to_contact(phases: list[Phase]) -> list[Phase]:
-    """The phases of one who comes by another road, without what is no more than its way to whom it hits there."""
+def _up_to_contact(phases: list[Phase], speed: float) -> list[Phase]:
+    """The phases of one who comes by another road, without what is no more than its way to whom it hits there; it brakes
+    before the junction, where nothing says when."""
     hit = next((i for i, p in enumerate(phases) if p.action == "collide"), 0)
-    return [p for i, p in enumerate(phases) if i >= hit or p.action not in ON_THE_WAY or p.trigger is not None]
+    kept = [p for i, p in enumerate(phases) if i >= hit or p.action not in ON_THE_WAY or p.trigger is not None]
+    slower = {"trigger": BEFORE_IT, "speed": round(speed / 2, 1)}
+    brakes = [p.action == "brake" and p.trigger is None and i < len(kept) - 1 for i, p in enumerate(kept)]
+    return [p.model_copy(update=slower | ({"speed": p.speed} if p.speed is not None else {})) if b else p
+            for p, b in zip(kept, brakes, strict=True)]  # fmt: skip
 
 
 def _steps(course: Course) -> list[Step]:
@@ -149,7 +155,7 @@ def phases_of(actor: Actor) -> list[Phase]:
     """The phases, with what the place asks of ego (its red light, its stop sign) put first."""
     phases = list(actor.spec.phases)
     if actor.approach:
-        phases = _up_to_contact(phases)
+        phases = _up_to_contact(phases, actor.value)
     if 1 not in actor.plan.offsets:  # by the oncoming lane: the overtaking says so
         after = [*(p.action for p in phases[1:]), ""]
         phases = [p for i, p in enumerate(phases) if (p.action, after[i]) != ("oncoming", "overtake")]

@@ -52,7 +52,8 @@ COMES_OVER = {
 def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     """The trigger of a phase that names none: what ego is forced to waits for the need, a cut-in for its gap."""
     a = course.actor
-    if phase.trigger is not None:
+    before = a.spec.phases[: a.spec.phases.index(phase)] if phase in a.spec.phases else ()
+    if phase.trigger is not None or before and before[-1].action == "collide":
         return ""
     if first and (until := comes_out(a.structure, a.cid, a.plan, phase, course.wanted(phase, a.value or 2))):
         return until

@@ -121,7 +121,7 @@ def _awaited(scene: Scene) -> Iterator[Requirement]:
             f"{trigger.action.replace('_', ' ')}."  # fmt: skip
         yield scene.make("order", "awaited", actor, f"phases.{i}.awaits", text, other=phase.target, first=first,
                          second=f"{_cid(actor)}.phases.{i}.{phase.action}", action=phase.action,
-                         events=shown_by(phase.action))  # fmt: skip
+                         events=shown_by(phase.action), cause=trigger.of, its=trigger.action)  # fmt: skip
 
 
 def shown(requirement: Requirement, evidence: Evidence) -> Result:
@@ -234,11 +234,19 @@ def in_order(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 def awaited(requirement: Requirement, evidence: Evidence) -> Result:
-    """What waits for another's action comes after it; that it did the same before, as for a bend, does not matter."""
+    """What waits for another's action comes after that has begun; that it did the same before, as for a bend, does not
+    matter."""
     result = in_order(requirement, evidence)
-    first = evidence.times.get(str(requirement.values["first"]))
+    first, cause = evidence.times.get(str(requirement.values["first"])), evidence.motion(str(requirement.values["cause"]))
     if result.holds is not False or first is None:
         return result
+    its = str(requirement.values["its"])
+    if cause is not None and its in moments.SETS_OUT:
+        first = moments.onset(cause, its, first)
+        evidence.times[str(requirement.values["first"])] = first
+        result = in_order(requirement, evidence)
+        if result.holds is not False:
+            return result
     again = [_moment(requirement, evidence, m, str(requirement.values["action"]), first)
              for m in evidence.motions(requirement.actor)]  # fmt: skip
     if again and all(t is not None and t >= first - bounds()["order"]["room"]["value"] for t in again):

@@ -8,8 +8,7 @@ from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.lateral import LATERAL
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, HALF_LANE, LANE_NAME, MOVES_OFF_ROAD, TURN, is_static
-from c2s_engine.write.typed.threats import IN_WAY, members, threatening
-from c2s_engine.write.typed.triggers import observed
+from c2s_engine.write.typed.threats import IN_WAY, members, observed, threatening
 from c2s_engine.write.typed.usual import crosses
 
 LASTING = {"keep_lane", "move_along", "follow", "stationary", "run_red", "run_stop"}

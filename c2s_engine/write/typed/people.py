@@ -8,7 +8,7 @@ from c2s_engine.write.typed.meetings import way_of_ego
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import at_door, inside, way_out
 from c2s_engine.write.typed.tables import LANE_NAME, LENGTH, MOVES_OFF_ROAD, WIDTH, is_walker
-from c2s_engine.write.typed.threats import is_hit
+from c2s_engine.write.typed.threats import is_hit, observed
 from c2s_engine.write.typed.usual import crosses, pace_of, walks_first
 
 ACROSS = {"cross_road", "enter_road", "collide"}
@@ -252,7 +252,7 @@ def _sets_out(
     if t and t.kind == "ttc" and value:
         return f"gap(self, {other}) < {value} * max({other}.speed, 3)"
     if t and t.kind == "action":
-        return f"{other}.speed < 0.5" if t.action in ("stop", "stationary") else f"(distance from self to {other}) < 25"
+        return observed(structure, other, t.of or "ego", t.action)
     if _ego_stays(structure, plan):
         return "simulation().currentTime * simulation().timestep >= 2"
     gained = f", {scope.number(rate)}" if rate else ""

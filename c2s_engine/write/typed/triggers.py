@@ -11,10 +11,12 @@ from c2s_engine.write.typed.overtakings import pulls_out
 from c2s_engine.write.typed.people import comes_out
 from c2s_engine.write.typed.reach import EVADED_AT
 from c2s_engine.write.typed.tables import LENGTH, WORKS, is_static
-from c2s_engine.write.typed.threats import IN_WAY, beside_way, is_stopped, on_foot, shown, standing, threatening
+from c2s_engine.write.typed.threats import IN_WAY, beside_way, is_stopped, observed, on_foot, shown, standing, threatening
 from c2s_engine.write.typed.towards import before_standing, opposite_standing
 from c2s_engine.write.typed.usual import crosses, speed_of
 
+TOO_LATE = 1.5
+"""s before the contact at which one brakes who then hits another."""
 FORCED = {"brake", "stop", "swerve", "lane_change"}
 DELAYED = {
     "brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road",
@@ -98,6 +100,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return f"until (distance from self to {obstacle}) < 12 + 2 * self.speed"
     if phase.action == "u_turn" and first and not a.is_ego and (course.oncoming or a.value <= 0):  # in front of ego
         return f"until (distance from self to ego) < {scope.number(12 + 2.2 * (a.value + a.plan.ego_speed))}"
+    if phase.action == "brake" and not a.is_ego and not a.approach and (hit := hit_next(course, phase)):  # too late
+        return f"until ttc(self, {a.ref(hit.target)}) < {scope.number(TOO_LATE)}"
     if first and phase.action in ("brake", "stop") and _comes_over(a):
         return "until need(self, ego) > 1"
     if not first or phase.action not in DELAYED or a.value <= 0 or hit_beside(course, phase):
@@ -126,32 +130,6 @@ def _before(course: Course, cid: str | None) -> str:
     kind = spec.type if isinstance(spec, ObjectSpec) else "car"
     room = 18 if kind in WORKS else round(9.5 + LENGTH[kind] / 2)
     return f"until (distance from self to {course.actor.ref(cid)}) < {room} + 1.9 * self.speed"
-
-
-def observed(structure: Structure, other: str, cid: str, action: str | None) -> str:
-    """What can be seen of another's action while it is at it."""
-    spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
-    target = next((p.target for p in getattr(spec, "phases", ()) if p.action == action), None)
-    whom = scope.reference(structure, target or "ego")
-    if action == "stop":  # whoever drives has its speed from the first step on
-        return f"simulation().currentTime * simulation().timestep > 1 and {other}.speed < 0.3"
-    if action in ("stationary", "wait"):
-        return f"{other}.speed < 0.3"
-    if action == "accelerate":
-        return f"speeds_up({other})"
-    if action == "brake":
-        return f"slows_down({other})"
-    if action in ("start", "enter_road", "cross_road", "move_along"):
-        return f"{other}.speed > 0.5"
-    if action in ("turn_left", "turn_right", "go_straight", "run_red", "run_stop"):
-        return f"{other}._intersection is not None"
-    if action in (*lateral.LATERAL, "swerve", "drift", "oncoming", "lose_control"):
-        return f"off_lane({other})"
-    if action == "overtake":  # it is alongside
-        return f"lead_on({other}, {whom}) > -5"
-    if action == "collide" and whom != other:
-        return f"touch({other}, {whom})"
-    return f"(distance from ego to {other}) < 20"
 
 
 def _before_junction(course: Course, value: float, phase: Phase) -> str:

@@ -237,7 +237,8 @@ def awaited(requirement: Requirement, evidence: Evidence) -> Result:
     """What waits for another's action comes after that has begun; that it did the same before, as for a bend, does not
     matter."""
     result = in_order(requirement, evidence)
-    first, cause = evidence.times.get(str(requirement.values["first"])), evidence.motion(str(requirement.values["cause"]))
+    first = evidence.times.get(str(requirement.values["first"]))
+    cause = evidence.motion(str(requirement.values["cause"]))
     if result.holds is not False or first is None:
         return result
     its = str(requirement.values["its"])
@@ -349,5 +350,7 @@ def reaches(requirement: Requirement, evidence: Evidence) -> Result:
     return scored(requirement, 1.0 - float(off[best]) / room, kmh(least, most), f"{speed[best] * 3.6:.0f} km/h", time)
 
 
-CHECKS = {"shown": shown, "in_order": in_order, "awaited": awaited, "to_side": to_side, "in_junction": in_junction, "rate": rate,
-          "reaches": reaches, "near_place": near_place, "at_distance": at_distance, **moments.CHECKS}  # fmt: skip
+CHECKS = {
+    "shown": shown, "in_order": in_order, "awaited": awaited, "to_side": to_side, "in_junction": in_junction,
+    "rate": rate, "reaches": reaches, "near_place": near_place, "at_distance": at_distance, **moments.CHECKS,
+}  # fmt: skip

@@ -75,7 +75,7 @@ def _of(component: Component, usual: Usual) -> Iterator[Unknown]:
             yield Unknown(cid, "speed", speed)
         for i, phase in enumerate(spec.phases):
             by_place = isinstance(spec, ObjectSpec) and spec.placement.position in APPROACH_ANGLE
-            late = phase.action == "brake" and any(p.action == "collide" for p in spec.phases[i + 1 : i + 2])  # too late
+            late = phase.action == "brake" and any(p.action == "collide" for p in spec.phases[i + 1 : i + 2])
             untimed = is_open(f"phases.{i}.trigger", phase.trigger) and not by_place and not late
             yield from _of_phase(cid, i, phase, speed, untimed, assumed)
     if isinstance(spec, ObjectSpec) and cid in usual.gaps and is_open("placement.gap", spec.placement.gap):

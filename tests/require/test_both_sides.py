@@ -527,7 +527,8 @@ def test_a_threat_is_one_without_the_reaction(y, holds) -> None:
 @pytest.mark.parametrize(("x", "holds"), [(1.9, True), (2.3, False)], ids=["close by", "with room"])
 def test_who_drives_on_close_by_somebody_beside_its_way_threatens(x, holds) -> None:
     """A walker is 0.5 m wide and ego 1.9 m: 0.7 m and 1.1 m are between them."""
-    walker = ObjectSpec(type="pedestrian", placement=Placement(position="roadside"), phases=(Phase(action="move_along"),))
+    along = (Phase(action="move_along"),)
+    walker = ObjectSpec(type="pedestrian", placement=Placement(position="roadside"), phases=along)
     walks = other(kind="pedestrian", x=x, y=60.0, speed=1.4)
     structure = s(walker, ego=EgoSpec(reaction="evade", react_to="O1"))
     assert verdict(structure, Scene([ego(), walks]), "O1.threat", blind=Scene([ego(), walks]).run()) is holds

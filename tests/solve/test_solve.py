@@ -180,10 +180,11 @@ def test_who_was_too_near_at_a_trigger_starts_further_off(position, along, of):
     waits = (Phase(action="brake", trigger=Trigger(kind="distance", of="ego" if of == "O1" else "O1", value=35.0)),)
     for gap in (None, 20.0):
         at = Placement(position=position, along=along, gap=gap)
+        spec = ObjectSpec(speed=15.0, placement=at, phases=waits if of == "O1" else ())
         structure = Structure(
             place=Component(id="R", spec=PlaceSpec(kind="road")),
             ego=Component(id="E", spec=EgoSpec(speed=20.0, phases=waits if of == "E" else ())),
-            objects=(Component(id="O1", spec=ObjectSpec(speed=15.0, placement=at, phases=waits if of == "O1" else ())),),
+            objects=(Component(id="O1", spec=spec),),
         )
         required = next(r for r in require(structure) if r.check == "at_distance")
         near = Result(requirement=required.id, holds=False, robustness=-1.0, value=15.0, bounds=(26.0, 44.0))

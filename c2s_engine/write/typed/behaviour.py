@@ -57,8 +57,8 @@ def body(actor: Actor) -> list[str]:
 
 
 def _up_to_contact(phases: list[Phase], speed: float) -> list[Phase]:
-    """The phases of one who comes by another road, without what is no more than its way to whom it hits there; it brakes
-    before the junction, where nothing says when."""
+    """The phases of one who comes by another road, without what is no more than its way to whom it hits there; where
+    nothing says when, it brakes before the junction."""
     hit = next((i for i, p in enumerate(phases) if p.action == "collide"), 0)
     kept = [p for i, p in enumerate(phases) if i >= hit or p.action not in ON_THE_WAY or p.trigger is not None]
     slower = {"trigger": BEFORE_IT, "speed": round(speed / 2, 1)}

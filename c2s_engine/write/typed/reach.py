@@ -1,4 +1,7 @@
-"""How far apart two start so that a trigger between them comes true at its value: neither at once nor never. m, s, m/s."""
+"""How far apart two start so that a trigger between them comes true at its value: neither at once nor never.
+
+Lengths in m, times in s, speeds in m/s.
+"""
 
 from dataclasses import dataclass
 
@@ -27,8 +30,8 @@ TIMED = {*APPROACH_ANGLE, "intersection_exit", "on_ramp"}
 
 @dataclass(frozen=True)
 class _Pair:
-    """Who waits (`E` or an object's id) to be `value` away (m, or s where `kind` is ttc) from another; `placed`: the one
-    of the two whose open gap says how far apart they start; `seconds`: how long that takes."""
+    """Who waits in a phase (`E` or an object's id) to come so near to another; `placed`: the one of the two whose open
+    gap says how far apart they start; `seconds`: how long that takes."""
 
     actor: str
     other: str
@@ -52,10 +55,11 @@ def reached(structure: Structure) -> Structure:
 
 
 def _beside_the_way(structure: Structure) -> Structure:
-    """S whose ego passes those close by, nobody says how close, who stand or go along at the roadside and whom it evades."""
+    """S whose ego passes those close by, nobody says how close, who are at the roadside and whom it evades."""
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
-    evaded = {p.target for p in ego.phases if p.action == "swerve"} | {ego.react_to if ego.reaction == "evade" else None}
+    evaded = {p.target for p in ego.phases if p.action == "swerve"}
+    evaded.add(ego.react_to if ego.reaction == "evade" else None)
     for component in structure.objects:
         spec = component.spec
         assert isinstance(spec, ObjectSpec)

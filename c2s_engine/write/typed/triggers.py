@@ -1,6 +1,5 @@
 """When a phase begins: its stated trigger, or what its action waits for where none is stated."""
 
-from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import ahead, lateral, scope, traffic
@@ -11,7 +10,16 @@ from c2s_engine.write.typed.overtakings import pulls_out
 from c2s_engine.write.typed.people import comes_out
 from c2s_engine.write.typed.reach import EVADED_AT
 from c2s_engine.write.typed.tables import LENGTH, WORKS, is_static
-from c2s_engine.write.typed.threats import IN_WAY, beside_way, is_stopped, observed, on_foot, shown, standing, threatening
+from c2s_engine.write.typed.threats import (
+    IN_WAY,
+    beside_way,
+    is_stopped,
+    observed,
+    on_foot,
+    shown,
+    standing,
+    threatening,
+)
 from c2s_engine.write.typed.towards import before_standing, opposite_standing
 from c2s_engine.write.typed.usual import crosses, speed_of
 

@@ -119,9 +119,13 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
     answering = (p for p in scene.ego.phases if answers(p, scene.structure))
     named = scene.ego.react_to or next((t for p in answering for t in _whom(p) if t), None)
     if named is not None and named != EGO:
+        # whom it overtakes of its own accord
         followed = scene.ego.reaction == "follow" and any(
             p.action == "overtake" and p.target == named for p in scene.ego.phases)  # fmt: skip
-        return [named] if named in scene.objects and not followed else []  # whom it overtakes of its own accord
+        spec = scene.objects.get(named)
+        doings = [p for p in spec.phases if p.action in THREATS] if spec is not None else []
+        elsewhere = bool(doings) and all(p.target not in (None, EGO) for p in doings)  # what it does is about others
+        return [named] if spec is not None and not followed and not elsewhere else []
     return [actor for actor, spec in scene.objects.items() if _threatens(spec)]
 
 

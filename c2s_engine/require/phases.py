@@ -113,8 +113,10 @@ def _awaited(scene: Scene) -> Iterator[Requirement]:
         ids.setdefault((actor, phase.action), f"{_cid(actor)}.phases.{i}.{phase.action}")
     for actor, i, phase in scene.phases():
         trigger = phase.trigger
-        if trigger is None or trigger.kind != "action" or trigger.of is None or trigger.action in (None, "overtake"):
+        if trigger is None or trigger.kind != "action" or trigger.of is None or trigger.action is None:
             continue
+        if trigger.action == "overtake" and scene.overtakes(trigger.of, actor):
+            continue  # c2s_engine/require/manoeuvres.py
         if (first := ids.get((trigger.of, trigger.action))) is None:
             continue
         text = f"{scene.named(actor)}: {phase.action.replace('_', ' ')} comes after {scene.named(trigger.of)}: " \

@@ -32,7 +32,7 @@ ANSWERS = {"brake", "stop", "wait", "yield", "swerve", "lane_change", "overtake"
 """What ego does of its own accord for who is in its way."""
 SHORT_OF_LANE = 2.5
 """m from the middle of ego's way to where those stand who let it pass."""
-PULLS_OUT = 3.0
+PULLS_OUT = 2.4
 """m/s2 at which one pulls out from the kerb."""
 BACKS_OUT = 3
 """m/s2 at which one backs out."""

@@ -12,7 +12,7 @@ import numpy as np
 
 from c2s_engine.require.due import arrival, conflict_begins, to_meet
 from c2s_engine.require.evidence import Evidence, Motion
-from c2s_engine.require.geometry import post_encroachment, time_to_collision
+from c2s_engine.require.geometry import box_distance, lead, post_encroachment, time_to_collision
 from c2s_engine.require.outcome import struck as struck_pairs
 from c2s_engine.require.results import between, scored, span, unknown, words
 from c2s_engine.require.scene import Scene, bounds
@@ -132,7 +132,13 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
     answering = (p for p in scene.ego.phases if answers(p, scene.structure))
     named = scene.ego.react_to or next((t for p in answering for t in _whom(p) if t), None)
     if named is not None and named != EGO:
-        return [named] if named in scene.objects else []
+        # whom it overtakes of its own accord
+        followed = scene.ego.reaction == "follow" and any(
+            p.action == "overtake" and p.target == named for p in scene.ego.phases)  # fmt: skip
+        spec = scene.objects.get(named)
+        doings = [p for p in spec.phases if p.action in THREATS] if spec is not None else []
+        elsewhere = bool(doings) and all(p.target not in (None, EGO) for p in doings)  # what it does is about others
+        return [named] if spec is not None and not followed and not elsewhere else []
     return [actor for actor, spec in scene.objects.items() if _threatens(spec)]
 
 
@@ -168,6 +174,9 @@ def threatens(requirement: Requirement, evidence: Evidence) -> Result:
     if found := other.contacts(requirement.actor, EGO):
         return scored(requirement, 1.0, said, f"contact at {found[0].time:.1f} s", found[0].time)
     ego = _unhindered(requirement.actor, other, evidence)
+    beside = min((_passes(m, ego) for m in other.motions(requirement.actor)), default=np.inf)
+    if beside < limits["beside"]["value"]:
+        return scored(requirement, 1.0, said, f"passes at {beside:.1f} m")
     nearest = [_nearness(m, ego) for m in other.motions(requirement.actor)]
     pet, ttc = min((p for p, _ in nearest), default=np.inf), min((t for _, t in nearest), default=np.inf)
     margin = max((limits["pet"]["value"] - pet) / limits["pet"]["value"],
@@ -218,6 +227,18 @@ def _nearness(one: Motion, ego: Motion | None) -> tuple[float, float]:
     a, b = one.poses[:n], ego.poses[:n]
     ttc = time_to_collision(a, b, one.size, ego.size, one.step)
     return post_encroachment(a, b, one.size, ego.size, one.step), float(ttc.min())
+
+
+def _passes(one: Motion, ego: Motion | None) -> float:
+    """m between the two, at least, where one goes by the other: one of them is ahead first and behind then."""
+    if ego is None:
+        return np.inf
+    n = min(len(one.x), len(ego.x))
+    a, b = ego.poses[:n], one.poses[:n]
+    ahead = lead(a, b)
+    if not (ahead[0] > 0 > ahead[-1] or ahead[0] < 0 < ahead[-1]):
+        return np.inf
+    return float(box_distance(a, b, ego.size, one.size).min())
 
 
 def _another_scene(actor: str, one: Evidence, other: Evidence) -> str | None:

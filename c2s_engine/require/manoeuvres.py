@@ -39,7 +39,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
                              other=_whom(scene, actor, phase), of=of, least=low(phase.gap),
                              most=high(phase.gap))  # fmt: skip
         trigger = phase.trigger
-        if trigger is not None and trigger.kind == "action" and trigger.action == "overtake" and trigger.of is not None:
+        passes = trigger is not None and trigger.kind == "action" and trigger.action == "overtake" and trigger.of
+        if trigger is not None and passes and scene.overtakes(trigger.of, actor):
             yield scene.make("order", "alongside", actor, f"{path}.awaits", f"{name}: {phase.action.replace('_', ' ')} "
                              f"while {scene.named(trigger.of)} overtakes it.", other=trigger.of, of=of)  # fmt: skip
         if phase.action == "lose_control" and later & {"stop", "stationary", "wait"}:

@@ -185,10 +185,10 @@ def let_go_first(motion: Motion, other: Motion | None) -> list[float]:
     return []
 
 
-def kept_from(motion: Motion, time: float) -> list[float]:
-    """When what is said before was seen, if it stays from then on in the lane in which it is shortly after."""
-    at = motion.stay(time + 1.0)
-    later = [s for s in motion.course.stays if s.time > time + 1.0]
+def kept_from(motion: Motion, time: float, within: float = 1.0) -> list[float]:
+    """When what is said before was seen, if it stays in the lane in which it is `within` s of that, or less."""
+    at = motion.stay(time + within)
+    later = [s for s in motion.course.stays if s.time > time + within]
     return [time] if at is not None and all(s.to_ego == at.to_ego for s in later) else []
 
 

@@ -114,14 +114,17 @@ def _awaited(scene: Scene) -> Iterator[Requirement]:
         ids.setdefault((actor, phase.action), f"{_cid(actor)}.phases.{i}.{phase.action}")
     for actor, i, phase in scene.phases():
         trigger = phase.trigger
-        if trigger is None or trigger.kind != "action" or trigger.of is None or trigger.action in (None, "overtake"):
+        if trigger is None or trigger.kind != "action" or trigger.of is None or trigger.action is None:
             continue
+        if trigger.action == "overtake" and scene.overtakes(trigger.of, actor):
+            continue  # c2s_engine/require/manoeuvres.py
         if (first := ids.get((trigger.of, trigger.action))) is None:
             continue
         text = f"{scene.named(actor)}: {phase.action.replace('_', ' ')} comes after {scene.named(trigger.of)}: " \
             f"{trigger.action.replace('_', ' ')}."  # fmt: skip
-        yield scene.make("order", "in_order", actor, f"phases.{i}.awaits", text, other=trigger.of, first=first,
-                         second=f"{_cid(actor)}.phases.{i}.{phase.action}", cause=trigger.action)  # fmt: skip
+        yield scene.make("order", "awaited", actor, f"phases.{i}.awaits", text, other=phase.target, first=first,
+                         second=f"{_cid(actor)}.phases.{i}.{phase.action}", action=phase.action,
+                         events=shown_by(phase.action), cause=trigger.of, its=trigger.action)  # fmt: skip
 
 
 def shown(requirement: Requirement, evidence: Evidence) -> Result:
@@ -162,7 +165,8 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
         if action == "yield" and not times:
             times = moments.let_go_first(motion, evidence.motion(requirement.other or EGO))
         if action == "keep_lane" and earliest and not times:
-            times = moments.kept_from(motion, earliest)
+            passing = str(requirement.values["after"]).endswith(".overtake")  # coming back is part of that
+            times = moments.kept_from(motion, earliest, *((moments.LONGEST,) if passing else ()))
     later = [t for t in times if t >= earliest - bounds()["order"]["room"]["value"]]
     return min(later) if later else min(times, default=None)
 
@@ -232,6 +236,29 @@ def in_order(requirement: Requirement, evidence: Evidence) -> Result:
     room = bounds()["order"]["room"]["value"]
     return scored(requirement, (second - first + room) / 1.0, "in this order", f"{first:.1f} s, then {second:.1f} s",
                   second)  # fmt: skip
+
+
+def awaited(requirement: Requirement, evidence: Evidence) -> Result:
+    """What waits for another's action comes after that has begun; that it did the same before, as for a bend, does not
+    matter."""
+    result = in_order(requirement, evidence)
+    first = evidence.times.get(str(requirement.values["first"]))
+    cause = evidence.motion(str(requirement.values["cause"]))
+    if result.holds is not False or first is None:
+        return result
+    its = str(requirement.values["its"])
+    if cause is not None and its in moments.SETS_OUT:
+        first = moments.onset(cause, its, first)
+        evidence.times[str(requirement.values["first"])] = first
+        result = in_order(requirement, evidence)
+        if result.holds is not False:
+            return result
+    again = [_moment(requirement, evidence, m, str(requirement.values["action"]), first)
+             for m in evidence.motions(requirement.actor)]  # fmt: skip
+    if again and all(t is not None and t >= first - bounds()["order"]["room"]["value"] for t in again):
+        evidence.times[str(requirement.values["second"])] = min(t for t in again if t is not None)
+        return in_order(requirement, evidence)
+    return result
 
 
 def _when(requirement: Requirement, evidence: Evidence) -> tuple[Motion | None, float | None]:
@@ -328,5 +355,7 @@ def reaches(requirement: Requirement, evidence: Evidence) -> Result:
     return scored(requirement, 1.0 - float(off[best]) / room, kmh(least, most), f"{speed[best] * 3.6:.0f} km/h", time)
 
 
-CHECKS = {"shown": shown, "in_order": in_order, "to_side": to_side, "in_junction": in_junction, "rate": rate,
-          "reaches": reaches, "near_place": near_place, "at_distance": at_distance, **moments.CHECKS}  # fmt: skip
+CHECKS = {
+    "shown": shown, "in_order": in_order, "awaited": awaited, "to_side": to_side, "in_junction": in_junction,
+    "rate": rate, "reaches": reaches, "near_place": near_place, "at_distance": at_distance, **moments.CHECKS,
+}  # fmt: skip

@@ -30,7 +30,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
                 "rules", "unseen", actor, "obeys_sign", f"{name} stops at its stop sign.", event="run_stop"
             )
         placed = getattr(spec, "placement", None)
-        if not actions & {*WRONG_WAY, *ACROSS} and not (placed and placed.facing == "against"):
+        across = bool(placed and placed.side == "left" and "enter_road" in actions)  # over the other side onto its own
+        if not actions & {*WRONG_WAY, *ACROSS} and not (placed and placed.facing == "against") and not across:
             yield scene.make("rules", "own_side", actor, "own_side", f"{name} keeps to its own side of the road.")
         if spec.type != "bicycle":
             yield scene.make("rules", "at_line", actor, "at_line", f"{name}: if it waits at a light or sign, it stands "

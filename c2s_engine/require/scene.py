@@ -80,6 +80,12 @@ class Scene:
         """(actor, index, phase) of all."""
         return [(a, i, p) for a, spec in self.actors.items() for i, p in enumerate(spec.phases)]
 
+    def overtakes(self, one: str | None, other: str) -> bool:
+        """Whether one actor overtakes another; it may be left open whom."""
+        spec = self.actors.get("ego" if one == "E" else one or "ego")
+        whom = "ego" if isinstance(spec, ObjectSpec) else other
+        return spec is not None and any(p.action == "overtake" and (p.target or whom) == other for p in spec.phases)
+
     def make(self, kind: Kind, check: str, actor: str, path: str, text: str, *, other: str | None = None,
              component: str | None = None, **values: Value) -> Requirement:  # fmt: skip
         """A requirement with its id and its clause."""

@@ -7,6 +7,7 @@ from typing import Any
 import yaml
 
 from c2s_engine import paths
+from c2s_engine.solve.reaching import further
 from c2s_engine.solve.unknowns import Unknown
 from c2s_engine.structure.components import ComponentId, Structure
 from c2s_engine.structure.facts import EGO
@@ -61,6 +62,8 @@ def _ending(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unkno
 def _exact(structure: Structure, requirement: Requirement, result: Result, open_: Sequence[Unknown],
            usual: Usual) -> Iterator[Move]:  # fmt: skip
     """Corrections by as much as the run says, and by less: one that sets out a step later may be far later."""
+    if move := further(structure, requirement, result, open_):
+        yield move
     if result.due is not None:
         whole, *parts = (list(_in_time(structure, requirement, share * result.due, open_, usual)) for share in SHARES)
         yield from (*whole[:1], *(part[0] for part in parts if part), *whole[1:2])

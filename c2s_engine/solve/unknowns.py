@@ -7,13 +7,14 @@ from c2s_engine.structure.components import Assumption, Component, ComponentId, 
 from c2s_engine.structure.edits import EditError, SetField, apply
 from c2s_engine.structure.quantity import Quantity, high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
+from c2s_engine.write.typed.tables import APPROACH_ANGLE
 from c2s_engine.write.typed.usual_values import Usual
 
 PLANNER = "planner"
 """Who chose, in `assumed`."""
 REASON = "left open: chosen so that the run shows what is required"
-BY_OTHERS = ("wait", "stationary", "cross_road", "yield", "follow")
-"""First phases whose moment follows from where others are, or that have none."""
+BY_OTHERS = ("wait", "stationary", "cross_road", "yield", "follow", "go_straight", "turn_left", "turn_right")
+"""First phases whose moment follows from where others are or from the place, or that have none."""
 STANDS_FOR = 3.0
 """s for which one waits first, where nothing says how long."""
 LIMITS = {"gap": (2.0, 250.0), "speed": (1.0, 36.0), "rate": (1.0, 9.0), "duration": (1.0, 60.0),
@@ -71,10 +72,14 @@ def _of(component: Component, usual: Usual) -> Iterator[Unknown]:
 
     if isinstance(spec, EgoSpec | ObjectSpec):
         speed = usual.speeds.get(cid, 0.0)
-        if speed > 0 and spec.pace is None and is_open("speed", spec.speed):
+        follows = bool(spec.phases) and spec.phases[0].action == "follow"  # as fast as whom it follows
+        if speed > 0 and spec.pace is None and is_open("speed", spec.speed) and not follows:
             yield Unknown(cid, "speed", speed)
         for i, phase in enumerate(spec.phases):
-            untimed = is_open(f"phases.{i}.trigger", phase.trigger) and cid not in usual.later
+            by_place = isinstance(spec, ObjectSpec) and spec.placement.position in APPROACH_ANGLE
+            late = phase.action == "brake" and any(p.action == "collide" for p in spec.phases[i + 1 : i + 2])
+            timed = cid in usual.later or by_place or late
+            untimed = is_open(f"phases.{i}.trigger", phase.trigger) and not timed
             yield from _of_phase(cid, i, phase, speed, untimed, assumed)
     if isinstance(spec, ObjectSpec) and cid in usual.gaps and is_open("placement.gap", spec.placement.gap):
         yield Unknown(cid, "placement.gap", usual.gaps[cid])

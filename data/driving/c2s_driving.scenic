@@ -630,23 +630,30 @@ def along_line(points, spot):
     onward = (points[min(k + 1, len(points) - 1)] - points[max(k - 1, 0)]).normalized()
     return 2 * k + (spot - points[k]).dot(onward), abs((spot - points[k]).dot(onward.rotatedBy(90 deg)))
 
-def recent_speeds(car, steps):
-    """The speeds of `car` in the last steps that were looked at, by step."""
-    now = simulation().currentTime
-    known = getattr(car, 'speeds', {}) if now > 0 else {}
-    car.speeds = {time: speed for time, speed in known.items() if now - 20 < time < now} | {now: car.speed}
-    return {time: speed for time, speed in car.speeds.items() if time >= now - steps}
+def lately(car, seconds):
+    """The speeds (m/s) of `car` now and, as far as it was looked at, in the last seconds; not those of the first step."""
+    now, step = simulation().currentTime, simulation().timestep
+    known = getattr(car, 'speeds', {}) if now > 1 else {}
+    car.speeds = {time: speed for time, speed in known.items() if now - 6 / step <= time < now} | {now: car.speed}
+    return [speed for time, speed in car.speeds.items() if now - seconds / step <= time]
 
 def sets_off(car):
     """Whether `car` has just set out and gains speed."""
-    return car.speed < 3 and car.speed > min(recent_speeds(car, 2).values()) + 0.02
+    return car.speed < 3 and car.speed > min(lately(car, 0.2)) + 0.02
+
+def slows_down(car, least=1):
+    """Whether `car` is, or was in the last seconds, slower by so much (m/s) than shortly before, as can be seen."""
+    return car.speed < max(lately(car, 6)) - least
+
+def speeds_up(car, least=0.5):
+    """Whether `car` is faster by so much (m/s) than in the last seconds, as can be seen."""
+    return car.speed > min(lately(car, 6)) + least
 
 def slowing(car, seconds=0.5):
-    """The deceleration (m/s2) of `car` in the last so many seconds; 0 where it has not been looked at for so long."""
-    step = simulation().timestep
-    known = recent_speeds(car, round(seconds / step))
-    first, now = min(known), simulation().currentTime
-    return max(0, (known[first] - car.speed) / seconds) if (now - first) * step > seconds - step / 2 else 0
+    """The deceleration (m/s2) of `car` in the last so many seconds; 0 where it was not looked at then."""
+    lately(car, seconds)
+    then = simulation().currentTime - round(seconds / simulation().timestep)
+    return max(0, (car.speeds[then] - car.speed) / seconds) if then in car.speeds else 0
 
 def seconds_to(car, points, metres):
     """The time (s) until the front of `car` is so far (m) along its points, if it goes on as it does: slower in bends,
@@ -726,15 +733,25 @@ def to_far_side(self, points, heading):
 # The end of a run
 
 monitor OnceSeen(conditions, held=1, seconds=1.5):
-    """End the run some seconds after each of the conditions (functions) has been `held` s long at some time."""
+    """End the run some seconds after each of the conditions (functions) has been `held` s long at some time and nobody
+    brakes any more; at most `LONGEST` s later."""
     held_for = [0 for _ in conditions]
     while min(held_for) < held:
         wait
         held_for = [t + simulation().timestep if t >= held or condition() else 0
                     for t, condition in zip(held_for, conditions)]
-    for _ in range(int(seconds / simulation().timestep)):
+    left, over = seconds, LONGEST
+    while min(left, over) > 0:
         wait
+        over -= simulation().timestep
+        left = seconds if any(brakes(one) for one in simulation().objects) else left - simulation().timestep
     terminate
+
+LONGEST = 8  # s after what was to be seen at which a run is over, whoever brakes
+
+def brakes(car):
+    """Whether `car` slows down: by over 1 m/s2."""
+    return car.speed < max(lately(car, 0.5)) - 0.5
 
 
 # How one stands to another
@@ -868,10 +885,16 @@ def off_lane(car, metres=0.3):
 
 # Speeds (m/s) for Drive that depend on another
 
-def pace(car, lead, speed, headway=1.5, standing=4):
-    """The speed (m/s) at which `car` follows `lead` at `standing` m and a time headway (s) more, at most `speed`."""
+FALLS_BACK = 3  # m/s by which one is slower than whom it follows too closely
+
+def pace(car, lead, speed, headway=1.5, standing=4, points=None):
+    """The speed (m/s) at which `car` follows `lead` at `standing` m and a time headway (s) more, at most `speed`; not one
+    that it has passed, nor, where its `points` are given, one that is not in that way. Where it is too near it falls back
+    gently."""
+    if lead_on(car, lead) > 0 or points and not in_way(points, lead):
+        return speed
     gap = (distance from car to lead) - (car.length + lead.length) / 2
-    wanted = min(speed, lead.speed + 0.4 * (gap - standing - headway * lead.speed))
+    wanted = min(speed, lead.speed + max(-FALLS_BACK, 0.4 * (gap - standing - headway * lead.speed)))
     return wanted if wanted > 0.6 or lead.speed > 0.3 and wanted > 0 else 0
 
 def up_to(rest, speed, rate=2.5):

@@ -70,6 +70,10 @@ SECOND = Phase(action="accelerate", speed=12.0)
 TWICE = ramp((0, 10), (3, 10), (4, 6), (6, 6), (8, 12), (12, 12))
 BACKWARDS = ramp((0, 10), (3, 10), (5, 14), (7, 14), (9, 8), (12, 8))
 
+AFTER_IT = Phase(action="brake", trigger=Trigger(kind="action", of="O1", action="brake"))
+OVERTAKES = EgoSpec(phases=(Phase(action="overtake", target="O1"), Phase(action="keep_lane")))
+PASSED = {"events": (event("overtake", 5.0, "other"),)}
+OUT = (Stay(time=0.0, lane=1, to_ego="own"), Stay(time=3.0, lane=2, to_ego="left"))
 BRAKES_LATER = Phase(action="brake", trigger=Trigger(kind="action", of="O1", action="brake", delay=2.0))
 
 
@@ -172,6 +176,13 @@ CASES = [
         ),
         Scene([ego(speed=ramp((0, 10), (5, 10), (6, 4), (12, 4))), other(speed=BRAKING)]),
         Scene([ego(speed=ramp((0, 10), (2, 10), (3, 4), (12, 4))), other(speed=BRAKING)]),
+    ),
+    (
+        "after what it waits for, whatever it did before",
+        "E.phases.0.awaits",
+        s(brakes(), ego=EgoSpec(phases=(AFTER_IT,))),
+        Scene([ego(speed=ramp((0, 10), (1, 10), (2, 7), (5, 7), (6, 3), (12, 3))), other(speed=BRAKING)]),
+        Scene([ego(speed=ramp((0, 10), (1, 10), (2, 7), (5, 7), (6, 6.5), (12, 6.5))), other(speed=BRAKING)]),
     ),
     (
         "in the junction",
@@ -351,6 +362,13 @@ CASES = [
         Scene([ego(), other(speed=BRAKING)], seconds=8.5),
     ),
     (
+        "over soon after it has gained its speed",
+        "T.pace.over",
+        s(ObjectSpec(phases=(Phase(action="accelerate", speed=20.0),))),
+        Scene([ego(), other(speed=ramp((0, 10), (2, 10), (7, 20), (12, 20)))], seconds=10.5),
+        Scene([ego(), other(speed=ramp((0, 10), (2, 10), (6, 20), (12, 20)))], seconds=10.5),
+    ),
+    (
         "no dead time",
         "T.pace.dead",
         s(ObjectSpec(phases=(Phase(action="brake"), Phase(action="stop")))),
@@ -436,6 +454,14 @@ CASES = [
         Scene([ego(), other(**{**CUTS_IN, "stays": (*LEFT_LANE, Stay(time=5.0, lane=1, to_ego="own"),
                                                     Stay(time=9.0, lane=3, to_ego="right"))})]),
     ),
+    (
+        "keeps its lane once it is back from overtaking",
+        "E.phases.1.keep_lane",
+        s(ObjectSpec(), ego=OVERTAKES),
+        Scene([ego(**PASSED, stays=(*OUT, Stay(time=8.0, lane=1, to_ego="own"))), other()], seconds=16.0),
+        Scene([ego(**PASSED, stays=(*OUT, Stay(time=8.0, lane=1, to_ego="own"), Stay(time=14.0, lane=2))), other()],
+              seconds=16.0),
+    ),
 ]
 
 
@@ -496,6 +522,23 @@ def test_a_threat_is_one_without_the_reaction(y, holds) -> None:
     blind = Scene([ego(speed=ramp((0, 10), (8, 10), (9, 9), (12, 9))), far], seconds=7.0).run()
     scene = Scene([ego(), far])
     assert verdict(STOPS, scene, "O1.threat", blind=blind) is holds
+
+
+@pytest.mark.parametrize(("x", "holds"), [(1.9, True), (2.3, False)], ids=["close by", "with room"])
+def test_who_drives_on_close_by_somebody_beside_its_way_threatens(x, holds) -> None:
+    """A walker is 0.5 m wide and ego 1.9 m: 0.7 m and 1.1 m are between them."""
+    along = (Phase(action="move_along"),)
+    walker = ObjectSpec(type="pedestrian", placement=Placement(position="roadside"), phases=along)
+    walks = other(kind="pedestrian", x=x, y=60.0, speed=1.4)
+    structure = s(walker, ego=EgoSpec(reaction="evade", react_to="O1"))
+    assert verdict(structure, Scene([ego(), walks]), "O1.threat", blind=Scene([ego(), walks]).run()) is holds
+
+
+def test_whom_ego_follows_and_overtakes_of_its_own_accord_need_not_threaten_it() -> None:
+    structure = s(ObjectSpec(), ego=EgoSpec(reaction="follow", react_to="O1", phases=OVERTAKES.phases))
+    assert "O1.threat" not in {r.id for r in require(structure)}
+    follows = s(ObjectSpec(), ego=EgoSpec(reaction="follow", react_to="O1"))
+    assert "O1.threat" in {r.id for r in require(follows)}
 
 
 def test_without_the_other_run_a_conflict_cannot_be_judged() -> None:

@@ -9,11 +9,12 @@ from c2s_engine.require import require
 from c2s_engine.solve import PLANNER, Outcome, solve, unknowns
 from c2s_engine.solve.defaults import with_usual_reaction
 from c2s_engine.solve.moves import moves
+from c2s_engine.solve.reaching import further
 from c2s_engine.solve.unknowns import LIMITS, chosen
 from c2s_engine.structure.components import Assumption, Component, Structure
 from c2s_engine.structure.edits import SetField, apply
 from c2s_engine.structure.requirements import Requirement, Result
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec, Trigger
 from c2s_engine.write.typed.usual_values import usual_values
 from tests.write import draws
 
@@ -170,6 +171,27 @@ def test_who_comes_too_early_or_too_late_is_set_right_at_once(position, said, du
     usual = usual_values(structure, 1.0)
     ((unknown, value),) = moves(structure, [(required, late)], unknowns(structure, usual), usual)[0]
     assert (unknown.component, unknown.path, value) == ("O1", *expected)
+
+
+@pytest.mark.parametrize(("position", "along"), [("left_lane", "ahead"), ("oncoming_lane", None)])
+@pytest.mark.parametrize("of", ["O1", "E"])
+def test_who_was_too_near_at_a_trigger_starts_further_off(position, along, of):
+    """By as much as they were too near, whoever of the two waited for it; not where the gap is said."""
+    waits = (Phase(action="brake", trigger=Trigger(kind="distance", of="ego" if of == "O1" else "O1", value=35.0)),)
+    for gap in (None, 20.0):
+        at = Placement(position=position, along=along, gap=gap)
+        spec = ObjectSpec(speed=15.0, placement=at, phases=waits if of == "O1" else ())
+        structure = Structure(
+            place=Component(id="R", spec=PlaceSpec(kind="road")),
+            ego=Component(id="E", spec=EgoSpec(speed=20.0, phases=waits if of == "E" else ())),
+            objects=(Component(id="O1", spec=spec),),
+        )
+        required = next(r for r in require(structure) if r.check == "at_distance")
+        near = Result(requirement=required.id, holds=False, robustness=-1.0, value=15.0, bounds=(26.0, 44.0))
+        usual = usual_values(structure, 1.0)
+        found = further(structure, required, near, unknowns(structure, usual))
+        assert [(u.component, u.path, v) for u, v in found] == (
+            [] if gap else [("O1", "placement.gap", round(usual.gaps["O1"] + 20.0, 1))])  # fmt: skip
 
 
 @pytest.mark.parametrize("case", REACTIONS)

@@ -22,12 +22,13 @@ ON_THE_WAY = {
     "run_stop",
     "keep_lane",
     "move_along",
-    "brake",
     "accelerate",
 }
 """What the line over the junction, its lights and signs already say, or the speed at which it arrives."""
 ELSEWHERE = {*APPROACH_ANGLE, "behind", "oncoming_lane"}
 """Where those start who are no reason for ego to stop before the junction."""
+BEFORE_IT = Trigger(kind="place", place="intersection", value=6)
+"""When one brakes on its way to a junction."""
 SLOW = "5"
 """m/s at which somebody comes up to where it first stands."""
 AT_SIGN = {"run_stop", "stop", "yield", "wait", "stationary"}
@@ -60,10 +61,15 @@ def body(actor: Actor) -> list[str]:
     return out
 
 
-def _up_to_contact(phases: list[Phase]) -> list[Phase]:
-    """The phases of one who comes by another road, without what is no more than its way to whom it hits there."""
+def _up_to_contact(phases: list[Phase], speed: float) -> list[Phase]:
+    """The phases of one who comes by another road, without what is no more than its way to whom it hits there; where
+    nothing says when, it brakes before the junction."""
     hit = next((i for i, p in enumerate(phases) if p.action == "collide"), 0)
-    return [p for i, p in enumerate(phases) if i >= hit or p.action not in ON_THE_WAY or p.trigger is not None]
+    kept = [p for i, p in enumerate(phases) if i >= hit or p.action not in ON_THE_WAY or p.trigger is not None]
+    slower = {"trigger": BEFORE_IT, "speed": round(speed / 2, 1)}
+    brakes = [p.action == "brake" and p.trigger is None and i < len(kept) - 1 for i, p in enumerate(kept)]
+    return [p.model_copy(update=slower | ({"speed": p.speed} if p.speed is not None else {})) if b else p
+            for p, b in zip(kept, brakes, strict=True)]  # fmt: skip
 
 
 def _steps(course: Course) -> list[Step]:
@@ -77,11 +83,18 @@ def _steps(course: Course) -> list[Step]:
         if condition:
             if not done:
                 done.append(([course.drive()], ""))
+            reached = done[-1][1] if phase.trigger and phase.trigger.kind == "action" else ""
+            if reached.startswith("until self.speed"):  # it finishes what it does: what others do can still be seen
+                condition = f"{reached} and {condition.removeprefix('until ')}"
             done[-1] = (done[-1][0], condition)
             if phase.trigger and phase.trigger.delay is not None and phase.trigger.kind != "time":
                 done.append((done[-1][0][-1:], f"for {scope.quantity(phase.trigger.delay)} seconds"))
         course.behind = _overtaken_later(course, phases[i:])
+        home, course.home = course.home, []
         done.extend(steps(course, phase))
+        if home:
+            done.extend(home)
+            course.aside = ""
         if phase.until is not None and done:
             actor = course.actor
             done[-1] = (done[-1][0], f"until {watched(actor.structure, actor.plan, phase.until, actor.cid)}")
@@ -157,7 +170,7 @@ def phases_of(actor: Actor) -> list[Phase]:
     if actor.is_ego and not runs and isinstance(settings, SettingsSpec) and settings.light_changes:
         phases = lights.obeyed(phases, settings)
     if actor.approach:
-        phases = _up_to_contact(phases)
+        phases = _up_to_contact(phases, actor.value)
     if 1 not in actor.plan.offsets:  # by the oncoming lane: the overtaking says so
         after = [*(p.action for p in phases[1:]), ""]
         phases = [p for i, p in enumerate(phases) if (p.action, after[i]) != ("oncoming", "overtake")]

@@ -70,6 +70,7 @@ class Course:
         self.speed = actor.speed  # the speed expression now in force
         self.value = actor.value  # m/s
         self.backwards = False
+        self.home: list[tuple[list[str], str]] = []  # how it gets back to its lane once it has done what comes next
         self.behind = ""  # whom it overtakes later, where that one is ahead in its lane
         self.aside = _aside(actor)  # m to the left of its lane's middle that it keeps to; "": it keeps to the middle
 
@@ -116,6 +117,8 @@ class Course:
         if gap is not None:
             seconds, standing = lateral.headway(gap, pace)
             keeps = f", headway={scope.number(seconds)}" + (f", standing={scope.number(standing)}" if gap < 4 else "")
+        if self.actor.is_ego and of is not None and self.actor.plan.lane_of.get(of) != self.lane:  # once it is there
+            keeps += ", points=line"
         return f"lambda: pace(self, {self.actor.ref(cid)}, {speed}{keeps})"
 
     def set(self, value: float) -> str:

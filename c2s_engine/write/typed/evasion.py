@@ -8,7 +8,7 @@ from c2s_engine.write.typed.collisions import Step, struck_beside
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.passing import BESIDE, NARROW
 from c2s_engine.write.typed.tables import LANE_WIDTH, is_static, is_vehicle, is_walker
-from c2s_engine.write.typed.threats import every, members
+from c2s_engine.write.typed.threats import beside_way, every, members
 
 SLIDING = {"snow": 3.0, "rain": 4.5, "heavy_rain": 4.0, "wet": 4.5}
 """m/s2 at which one slows down that slides, by the weather; else `DRY`."""
@@ -23,6 +23,8 @@ SWERVES = 2.2
 """m"""
 CLOSE = 0.2
 """m that are left to who passes one that swerves then."""
+PASSING = 2.0
+"""m between a car and whom it passes who is beside its lane."""
 CAUTION = 0.7
 """The share of its speed at which one goes round what blocks its lane."""
 
@@ -72,7 +74,8 @@ def goes_round(c: Course, p: Phase) -> list[Step]:
     """Out as far as the target takes, past it, past those who are met there, and back."""
     s, target = c.actor.structure, str(p.target)
     side = {"left": ", 1", "right": ", -1", None: ""}[p.side]
-    room = f", room={scope.number(middle(p.clearance))}" if p.clearance is not None else ""
+    wide = middle(p.clearance) if p.clearance is not None else PASSING if beside_way(s, target) else None
+    room = f", room={scope.number(wide)}" if wide is not None else ""
     aside = f"lambda: way_round(self, line, [{every(s, target)}]{side}{room})"
     slower = c.speed if p.speed is not None or _small(c, target) else scope.number(CAUTION * c.value)
     past = " and ".join(f"lead_on({one}, self) < -self.length" for one in members(s, target))

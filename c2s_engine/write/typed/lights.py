@@ -6,7 +6,7 @@ from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import TURN, is_static, is_vehicle
-from c2s_engine.write.typed.watching import CLOCK, watched
+from c2s_engine.write.typed.watching import watched
 
 FOR_ALL = {"flashing", "dark"}
 """What all lights of a junction show at once."""
@@ -90,8 +90,8 @@ def _changes(structure: Structure, plan: Plan, settings: SettingsSpec) -> list[s
         lines += [f"    while not ({condition}):", *_set(structure, shows), "        wait"]
         if change.when.delay is not None:
             lines += [
-                "    since = simulation().currentTime",
-                f"    while (simulation().currentTime - since) * simulation().timestep < "
+                "    since = clock()",
+                f"    while clock() - since < "
                 f"{scope.quantity(change.when.delay)}:",
                 *_set(structure, shows), "        wait",
             ]  # fmt: skip
@@ -100,7 +100,7 @@ def _changes(structure: Structure, plan: Plan, settings: SettingsSpec) -> list[s
 
 
 def _set(structure: Structure, state: str) -> list[str]:
-    value = {"flashing": f"'yellow' if {CLOCK} % 1 < 0.5 else 'off'", "dark": "'off'"}.get(state, f"'{state}'")
+    value = {"flashing": f"'yellow' if clock() % 1 < 0.5 else 'off'", "dark": "'off'"}.get(state, f"'{state}'")
     if state not in FOR_ALL:
         return [f"        setClosestTrafficLightStatus(ego, {value})"]
     cars = [scope.reference(structure, c.id) for c in structure.objects if _drives(c.spec)]

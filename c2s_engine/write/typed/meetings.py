@@ -104,8 +104,9 @@ def start(structure: Structure, cid: str, plan: Plan, lane: str, line: str, at: 
         first = f"{name} = {scope.number(found.clear)}  # s between them where their ways meet: {who}"
         how = f"clear={name}"
     solved = f"{at} = place.length - start_to_meet(" if at else f"{prefix}_TO_JUNCTION = start_to_meet("
-    own = _slower(list(spec.phases)) if at else ""  # type: ignore[union-attr]
-    slows = f", slows={own}" if own else ""
+    driver = Actor(cid, spec, structure, plan, "", None, "", middle(speed_of(spec, plan.place)), None if at else lane)  # type: ignore[arg-type]
+    own = _slower(behaviour.phases_of(driver), lane)
+    slows = f",\n    slows={own}" if own else ""
     last = f"    {egos[0]}, {how}{egos[1]}{slows}{_moved(structure, cid, plan)})  # m"
     return [first, solved, f"    {lane}, {line}, {prefix}_SPEED,", last]
 
@@ -178,13 +179,14 @@ def _stands_for(phases: list[Phase]) -> float | None:
     return None
 
 
-def _slower(phases: list[Phase]) -> str:
-    """From where one on ego's lane is slower before the junction, and how fast, where it says so; "": nowhere."""
+def _slower(phases: list[Phase], lane: str = "place.lane") -> str:
+    """From where one on its lane is slower before the junction, and how fast, where it says so; "": nowhere."""
     phase = next((p for p in phases if p.action == "brake" and p.speed is not None), None)
     if phase is None or phase.speed is None or phase.trigger is None or phase.trigger.kind != "place":
         return ""
     before, goal = middle(phase.trigger.value or 0) + 4, middle(phase.speed or 0)
-    return f"(place.length - {scope.number(before)}, {scope.number(goal)})"
+    end = "place.length" if lane == "place.lane" else f"{lane}.centerline.length"
+    return f"({end} - {scope.number(before)}, {scope.number(goal)})"
 
 
 BEARING = {"left": "90 deg", "right": "-90 deg", "u_turn": "180 deg"}

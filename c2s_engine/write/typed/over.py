@@ -8,8 +8,7 @@ from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.lateral import LATERAL
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, HALF_LANE, LANE_NAME, MOVES_OFF_ROAD, TURN, is_static
-from c2s_engine.write.typed.threats import IN_WAY, members, threatening
-from c2s_engine.write.typed.triggers import observed
+from c2s_engine.write.typed.threats import IN_WAY, members, observed, threatening
 from c2s_engine.write.typed.usual import crosses
 
 LASTING = {"keep_lane", "move_along", "follow", "stationary", "run_red", "run_stop"}
@@ -88,16 +87,12 @@ def _of_object(structure: Structure, plan: Plan, cid: str, o: ObjectSpec) -> lis
     if o.placement.position in APPROACH_ANGLE and last.action in TURN:
         return [f"{one}._intersection is not None"]
     if last.action in STANDS:
-        return [f"{one}.speed < 0.3", *(["ego.speed < 0.3"] if _stops_behind(structure, plan, cid) else [])]
+        return [f"{one}.speed < 0.3"]
     if last.abandoned:
         return Unknown
     if last.action in SEEN or last.action in ("lane_change", "cut_out") and plan.lane_of.get(cid) == 0:
         goal = middle(last.speed) if last.speed is not None and last.action == "brake" else None
-        done = f"{one}.speed < {scope.number(goal + 0.7)}" if goal else _done(structure, one, cid, last.action)
-        hard = last.action == "brake" and getattr(structure.ego.spec, "hard", False)
-        stops = ["ego.speed < 0.3"] if hard and _stops_behind(structure, plan, cid) else []
-        slows = last.action == "brake" and _reacts(structure) and _comes_before_ego(plan, cid, o)
-        return [f"{done} and ego.speed < {one}.speed + 1" if slows and not stops else done, *stops]
+        return [f"{one}.speed < {scope.number(goal + 0.7)}" if goal else _done(structure, one, cid, last.action)]
     if last.action == "overtake" and not last.abandoned:
         return _back(structure, plan, cid, o, last.target or "ego")
     if last.action == "swerve" and any(p.action == "overtake" and p.target == cid for p in structure.ego.spec.phases):  # type: ignore[union-attr]
@@ -134,19 +129,3 @@ def _done(structure: Structure, other: str, cid: str, action: str) -> str:
         sign = "<" if action == "cut_in" else ">"
         return f"place.lane.centerline.distanceTo({other}.position) {sign} {HALF_LANE}"
     return observed(structure, other, cid, action)
-
-
-def _reacts(structure: Structure) -> bool:
-    """Whether ego slows down for who is before it."""
-    return getattr(structure.ego.spec, "reaction", "") in ("brake", "follow")
-
-
-def _comes_before_ego(plan: Plan, cid: str, o: ObjectSpec) -> bool:
-    """Whether somebody is in ego's lane ahead of it when it brakes."""
-    there = plan.lane_of.get(cid) == 0 and o.placement.position == "ahead"
-    return there or any(p.action == "cut_in" and p.target in (None, "ego") for p in o.phases)
-
-
-def _stops_behind(structure: Structure, plan: Plan, cid: str) -> bool:
-    """Whether ego comes to a stand behind one that stops ahead of it."""
-    return _reacts(structure) and plan.lane_of.get(cid) == 0 and structure[cid].spec.placement.position == "ahead"  # type: ignore[union-attr]

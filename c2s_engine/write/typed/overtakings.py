@@ -35,16 +35,17 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
     waits = _waits(c, p)
     home, step = c.lane, -1 if p.side == "right" else 1
     changes = home is not None and not c.oncoming_both(p) and not _by_offset(c, p)
+    aside = ""
     if changes:
         line, back = c.onto(step), f"line = way({LANE_NAME[home]})"  # type: ignore[index]
         c.lane = home
-        out, home_again = [line, c.drive()], [back, c.drive()]
+        out, home_again = [line, c.drive(c.speed)], [back, c.drive(c.speed)]
     else:
         inside = INSIDE if c.actor.spec.type in NARROW else sideways(c.other(p.target))
         aside = scope.number(-inside if p.side == "right" else inside)
-        out, home_again = [c.drive(offset=aside, shift=2)], [c.drive()]
+        out, home_again = [c.drive(c.speed, offset=aside, shift=2)], [c.drive(c.speed)]
     if p.abandoned:
-        return [*waits, *_breaks_off(c, p, out, home_again)]
+        return [*waits, *_breaks_off(c, p, out, home_again, aside)]
     return [*waits, (out, f"until {past}"), *([] if scrapes else [(home_again, BACK)])]
 
 
@@ -68,14 +69,24 @@ def _ahead(c: Course, p: Phase) -> str:
     return f"{scope.number(comes_back(p, _top(c, p) - c.target_speed(p)))} + self.length"
 
 
-def _breaks_off(c: Course, p: Phase, out: list[str], back: list[str]) -> list[Step]:
-    """Out beside the other's tail, and back behind it."""
+def _breaks_off(c: Course, p: Phase, out: list[str], back: list[str], aside: str) -> list[Step]:
+    """Out beside the other's tail, or until what comes next, and back behind it after that."""
     other = nearest(c, p)
     behind = f"lambda: pace(self, {other}, {c.speed}, {HEADWAY})"
     slower = [out[-1].replace(f"line, {c.speed}", f"line, lambda: max(0, {other}.speed - 3)")]
     back = [*back[:-1], c.drive(behind, 4)]
-    beside = f"until lead_on(self, {other}) > -(self.length + {other}.length) / 2 - 1"
-    return [(out, beside), (slower, f"until lead_on(self, {other}) < -6 - self.length"), (back, "")]
+    home: list[Step] = [(slower, f"until lead_on(self, {other}) < -6 - self.length"), (back, "")]
+    if _spoiled_by(c, p) is not None:
+        c.home, c.aside = home, aside
+        return [(out, "")]
+    return [(out, f"until lead_on(self, {other}) > -(self.length + {other}.length) / 2 - 1"), *home]
+
+
+def _spoiled_by(c: Course, p: Phase) -> Phase | None:
+    """The phase whose trigger says when an overtaking is broken off."""
+    phases = c.actor.spec.phases
+    after = phases[phases.index(p) + 1 :] if p in phases else ()
+    return after[0] if after and after[0].trigger is not None else None
 
 
 def nearest(c: Course, p: Phase) -> str:

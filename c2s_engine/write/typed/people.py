@@ -8,7 +8,7 @@ from c2s_engine.write.typed.meetings import way_of_ego
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import at_door, inside, way_out
 from c2s_engine.write.typed.tables import LANE_NAME, LENGTH, MOVES_OFF_ROAD, WIDTH, is_walker
-from c2s_engine.write.typed.threats import is_hit
+from c2s_engine.write.typed.threats import is_hit, observed
 from c2s_engine.write.typed.usual import crosses, pace_of, walks_first
 from c2s_engine.write.typed.watching import watched, watches
 
@@ -35,7 +35,7 @@ ANSWERS = {"brake", "stop", "wait", "yield", "swerve", "lane_change", "overtake"
 """What ego does of its own accord for who is in its way."""
 SHORT_OF_LANE = 2.5
 """m from the middle of ego's way to where those stand who let it pass."""
-PULLS_OUT = 3.0
+PULLS_OUT = 2.4
 """m/s2 at which one pulls out from the kerb."""
 BACKS_OUT = 3
 """m/s2 at which one backs out."""
@@ -273,8 +273,6 @@ def _sets_out(
     if t and t.kind == "ttc" and value:
         return f"gap(self, {other}) < {value} * max({other}.speed, 3)"
     if t and t.kind == "action":
-        from c2s_engine.write.typed.triggers import observed  # that module needs this one
-
         return observed(structure, other, t.of or "ego", t.action)
     if _ego_stays(structure, plan):
         return "clock() >= 2"

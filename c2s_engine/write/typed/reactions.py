@@ -139,7 +139,7 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
 
 def late_rate(hard: bool) -> float:
     """m/s2 at which ego brakes too late."""
-    return 6.0 if hard else 2.5
+    return 5.5 if hard else 2.5
 
 
 def _crosses(structure: Structure, cid: str) -> bool:

@@ -4,7 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import Condition, ObjectSpec, RestrictionsSpec
 from c2s_engine.write.typed import over, scope
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.triggers import observed
+from c2s_engine.write.typed.threats import observed
 
 AT_START = {"distance", "visible", "not_visible"}
 

@@ -12,6 +12,7 @@ from c2s_engine.write.typed.forms import normal
 from c2s_engine.write.typed.paced import paced
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.pockets import pocketed
+from c2s_engine.write.typed.reach import reached
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, is_vehicle
 from c2s_engine.write.typed.usual import at_corner, crosses, default_gap, right_behind, row_length, speed_of
 
@@ -55,7 +56,7 @@ def _spread(
         objects=tuple(Component(id=cid, spec=spec) for cid, spec in objects),
         restrictions=Component(id="T", spec=restrictions),
     )
-    found = apart(_rows(traffic.solved(normal(paced(found)))))
+    found = apart(_rows(reached(traffic.solved(normal(paced(found))))))
     return (found.place.spec, found.ego.spec, *(c.spec for c in found.objects))  # type: ignore[return-value, arg-type]
 
 

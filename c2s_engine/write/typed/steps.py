@@ -16,7 +16,7 @@ from c2s_engine.write.typed.collisions import (
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_there, swerves_by
 from c2s_engine.write.typed.overtakings import overtakes
-from c2s_engine.write.typed.people import BACKS_OUT
+from c2s_engine.write.typed.people import BACKS_OUT, PULLS_OUT
 from c2s_engine.write.typed.tables import LANE_NAME, LANE_WIDTH, MOVES_OFF_ROAD, RAMP
 from c2s_engine.write.typed.threats import every
 from c2s_engine.write.typed.towards import ending, yields
@@ -212,7 +212,7 @@ def _enter_road(c: Course, p: Phase) -> list[Step]:
     c.lane = 0
     goal = c.wanted(p, c.actor.value or 7)
     c.value, c.speed = goal, scope.number(goal)
-    drive = c.drive(scope.number(goal), middle(p.rate) if p.rate else 3)
+    drive = c.drive(scope.number(goal), middle(p.rate) if p.rate else PULLS_OUT)
     return [(["line = way(place.lane)", drive], ending(p, "for 5 seconds"))]
 
 

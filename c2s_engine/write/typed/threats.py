@@ -3,7 +3,7 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
-from c2s_engine.write.typed import scope
+from c2s_engine.write.typed import lateral, scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.stations import at_door
 from c2s_engine.write.typed.tables import FLAT, HALF_LANE, is_static, is_walker
@@ -12,6 +12,8 @@ from c2s_engine.write.typed.usual import crosses
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
 FOG = 65
 """m that one sees in the fog: at motorway speeds just enough to stop."""
+STAYS = {"keep_lane", "move_along", "stationary", "wait", "go_straight"}
+"""What somebody does who stays beside the road."""
 CALM = {"follow", "keep_lane", "go_straight", "turn_left", "turn_right", "move_along", "brake"}
 """What ego does before it is to stop while nothing forces it to."""
 
@@ -24,6 +26,16 @@ def hits_ego(spec: ObjectSpec) -> bool:
 def is_hit(ego: EgoSpec, cid: str) -> bool:
     """Whether ego runs into an object."""
     return any(p.action == "collide" and p.target in (cid, None) for p in ego.phases)
+
+
+def beside_way(structure: Structure, cid: str | None) -> bool:
+    """Whether ego passes somebody, or something, that is at the roadside ahead and stays there."""
+    spec = structure[cid].spec if cid and cid in structure else None
+    if not isinstance(spec, ObjectSpec):
+        return False
+    at = spec.placement
+    stays = {p.action for p in spec.phases} <= STAYS and at.facing != "across" and at.along in (None, "ahead")
+    return at.position == "roadside" and at.of == "ego" and stays
 
 
 def threatening(structure: Structure) -> list[str]:
@@ -147,3 +159,29 @@ def _stops_ego(structure: Structure) -> bool:
         if is_static(spec) or any(p.action == "stop" for p in spec.phases):
             return True
     return False
+
+
+def observed(structure: Structure, other: str, cid: str, action: str | None) -> str:
+    """What can be seen of another's action while it is at it."""
+    spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
+    target = next((p.target for p in getattr(spec, "phases", ()) if p.action == action), None)
+    whom = scope.reference(structure, target or "ego")
+    if action == "stop":  # whoever drives has its speed from the first step on
+        return f"clock() > 1 and {other}.speed < 0.3"
+    if action in ("stationary", "wait"):
+        return f"{other}.speed < 0.3"
+    if action == "accelerate":
+        return f"speeds_up({other})"
+    if action == "brake":
+        return f"slows_down({other})"
+    if action in ("start", "enter_road", "cross_road", "move_along"):
+        return f"{other}.speed > 0.5"
+    if action in ("turn_left", "turn_right", "go_straight", "run_red", "run_stop"):
+        return f"{other}._intersection is not None"
+    if action in (*lateral.LATERAL, "swerve", "drift", "oncoming", "lose_control"):
+        return f"off_lane({other})"
+    if action == "overtake":  # it is alongside
+        return f"lead_on({other}, {whom}) > -5"
+    if action == "collide" and whom != other:
+        return f"touch({other}, {whom})"
+    return f"(distance from ego to {other}) < 20"

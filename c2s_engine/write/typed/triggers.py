@@ -9,16 +9,26 @@ from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.facing import AHEAD
 from c2s_engine.write.typed.overtakings import pulls_out
 from c2s_engine.write.typed.people import comes_out
+from c2s_engine.write.typed.reach import EVADED_AT
 from c2s_engine.write.typed.tables import LENGTH, WORKS, is_static
-from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, standing, threatening
+from c2s_engine.write.typed.threats import (
+    IN_WAY,
+    beside_way,
+    is_stopped,
+    observed,
+    on_foot,
+    shown,
+    standing,
+    threatening,
+)
 from c2s_engine.write.typed.towards import before_standing, in_next_lane, opposite_standing
 from c2s_engine.write.typed.usual import crosses, speed_of
 from c2s_engine.write.typed.watching import watched, watches
 
-ASIDE = 1.0
-"""m from the middle of its lane at which one is seen to leave it."""
 CAN_STOP = 10
 """Twice the m/s2 at which one stops for a light that changes."""
+TOO_LATE = 1.5
+"""s before the contact at which one brakes who then hits another."""
 FORCED = {"brake", "stop", "swerve", "lane_change"}
 DELAYED = {
     "brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road",
@@ -61,7 +71,9 @@ COMES_OVER = {
 def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     """The trigger of a phase that names none: what ego is forced to waits for the need, a cut-in for its gap."""
     a = course.actor
-    if phase.trigger is not None or phase.action == "stop" and phase.clearance is not None:
+    before = a.spec.phases[: a.spec.phases.index(phase)] if phase in a.spec.phases else ()
+    said = phase.trigger is not None or phase.action == "stop" and phase.clearance is not None
+    if said or before and before[-1].action == "collide":
         return ""
     if first and (until := comes_out(a.structure, a.cid, a.plan, phase, course.wanted(phase, a.value or 2))):
         return until
@@ -71,6 +83,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return _at_gap(course, phase, first)
     if a.is_ego and phase.action in FORCED and not _stood(a, phase) and _confronted(course, phase):
         cid = phase.target or getattr(a.spec, "react_to", None) or standing(a.structure, a.plan.lane_of)
+        if beside_way(a.structure, cid):
+            return f"until ttc(self, {a.ref(cid)}) < {scope.number(EVADED_AT if first else EVADED_AT / 2)}"
         hard = getattr(a.spec, "hard", False) or (phase.rate is not None and middle(phase.rate) >= 4)
         if phase.action in ("swerve", "lane_change") and cid and (spec := course.other(cid)) and crosses(spec):
             return f"until {a.ref(cid)}.speed > 0.3"  # it sets out
@@ -104,6 +118,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return f"until (distance from self to {obstacle}) < 12 + 2 * self.speed"
     if phase.action == "u_turn" and first and not a.is_ego and (course.oncoming or a.value <= 0):  # in front of ego
         return f"until (distance from self to ego) < {scope.number(12 + 2.2 * (a.value + a.plan.ego_speed))}"
+    if phase.action == "brake" and not a.is_ego and not a.approach and (hit := hit_next(course, phase)):  # too late
+        return f"until ttc(self, {a.ref(hit.target)}) < {scope.number(TOO_LATE)}"
     if first and phase.action in ("brake", "stop") and _comes_over(a):
         return "until need(self, ego) > 1"
     if phase.action == "yield" and first and in_next_lane(course, phase):
@@ -134,40 +150,6 @@ def _before(course: Course, cid: str | None) -> str:
     kind = spec.type if isinstance(spec, ObjectSpec) else "car"
     room = 18 if kind in WORKS else round(9.5 + LENGTH[kind] / 2)
     return f"until (distance from self to {course.actor.ref(cid)}) < {room} + 1.9 * self.speed"
-
-
-def observed(structure: Structure, other: str, cid: str, action: str | None) -> str:
-    """What can be seen of another's action while it is at it."""
-    if action == "stop":  # whoever drives has its speed from the first step on
-        return f"clock() > 1 and {other}.speed < 0.3"
-    if action in ("stationary", "wait"):
-        return f"{other}.speed < 0.3"
-    spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
-    prefix = "EGO" if cid in ("E", "ego") else scope.constant(structure, cid)
-    moving = cid in ("E", "ego") or isinstance(spec, ObjectSpec) and not is_static(spec)
-    known = moving and getattr(spec, "speed", None) not in (None, 0)
-    if action == "accelerate" and known:
-        return f"{other}.speed > {prefix}_SPEED + 0.5"
-    if action in ("start", "accelerate", "enter_road", "cross_road", "move_along"):
-        return f"{other}.speed > 0.5"
-    if action == "brake":
-        return f"{other}.speed < {prefix}_SPEED - 1" if known else f"{other}.speed < 3"
-    if action in ("turn_left", "turn_right", "go_straight", "run_red", "run_stop"):
-        return f"{other}._intersection is not None"
-    if action in (*lateral.LATERAL, "swerve", "drift"):
-        return f"off_lane({other})"
-    if action == "overtake":  # it is alongside
-        spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
-        whom = next((p.target for p in getattr(spec, "phases", ()) if p.action == action), None)
-        return f"lead_on({other}, {scope.reference(structure, whom or 'ego')}) > -5"
-    if action == "collide":
-        spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
-        whom = next((p.target for p in getattr(spec, "phases", ()) if p.action == action), None)
-        if whom is not None or cid not in ("E", "ego"):
-            return f"touch({other}, {scope.reference(structure, whom or 'ego')})"
-    if action in ("oncoming", "lose_control"):
-        return f"place.lane.centerline.distanceTo({other}.position) > {ASIDE}"
-    return f"(distance from ego to {other}) < 20"
 
 
 def _before_junction(course: Course, value: float, phase: Phase) -> str:

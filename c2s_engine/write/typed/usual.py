@@ -110,41 +110,10 @@ def default_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None = None)
 
     Whom ego catches up with is so far off that ego drives a while at its speed before it has to brake.
     """
-    gap = max(_open_gap(o, ego_speed, place), _before_trigger(o, ego_speed))
-    if near := _to_close(o, ego_speed, place):
-        gap = near
+    gap = _open_gap(o, ego_speed, place)
     if place is None or place.distance is None or place.kind not in {*JUNCTION, *RAMP, "crosswalk"}:
         return gap
     return min(gap, max(low(place.distance) - row_length(o) - 6.0, 3.0))  # it stands before what lies ahead
-
-
-def _before_trigger(o: ObjectSpec, ego_speed: float) -> float:
-    """How far (m) off one who stands must be for ego to drive a while before that one acts: it waits for ego to come
-    near."""
-    trigger = o.phases[0].trigger if o.phases else None
-    stands = o.placement.position in ("parked", "roadside", "sidewalk") or o.speed == 0
-    if trigger is None or trigger.value is None or trigger.of not in (None, "ego") or not stands:
-        return 0.0
-    near = middle(trigger.value) * (ego_speed if trigger.kind == "ttc" else 1)
-    return min(near + 2.0 * ego_speed, 150.0) if trigger.kind in ("ttc", "distance") else 0.0
-
-
-def _to_close(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float:
-    """How far (m) ahead one that drives like ego starts so that ego comes as near as its first trigger says, but not at
-    once; where ego is no faster, it is as near from the start. 0: there is no such trigger."""
-    trigger, where = o.phases[0].trigger if o.phases else None, o.placement
-    ahead = where.position in ("ahead", "left_lane", "right_lane") and where.along in (None, "ahead")
-    if trigger is None or trigger.kind != "distance" or trigger.value is None or trigger.of not in (None, "ego"):
-        return 0.0
-    if not ahead or where.of != "ego" or where.facing == "against" or is_static(o) or o.speed == 0 or place is None:
-        return 0.0
-    closing = ego_speed - middle(speed_of(o, place))
-    near = middle(trigger.value)
-    return min(near + BEFORE * closing, 150.0) if closing > 0.5 else max(near - 0.5, 1.0)
-
-
-BEFORE = 2.5
-"""s that ego drives before it is as near as a trigger says."""
 
 
 def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float:

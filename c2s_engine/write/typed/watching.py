@@ -6,11 +6,11 @@ from c2s_engine.structure.specs import ObjectSpec, Trigger
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME
+from c2s_engine.write.typed.threats import observed
 
 OF_OWN = {"distance", "ttc", "time", "place", "action"}
 """Kinds that each behaviour words by its own way, where they are about whom it is of."""
 OF_OWN_PLACES = {None, "intersection", "merge_end"}
-CLOCK = "simulation().currentTime * simulation().timestep"
 METRES, SECONDS, SPEED = 25.0, 3.0, 5.0
 """m, s, m/s where no value is given."""
 SAME = 0.45
@@ -32,7 +32,7 @@ def watched(structure: Structure, plan: Plan, t: Trigger, own: str, name: str = 
     value = middle(t.value) if t.value is not None else None
     match t.kind:
         case "time":
-            return f"{CLOCK} >= {scope.number(value or SECONDS)}"
+            return f"clock() >= {scope.number(value or SECONDS)}"
         case "ttc":
             return f"ttc({subject}, {other}) < {scope.number(value or SECONDS)}"
         case "distance":
@@ -45,15 +45,13 @@ def watched(structure: Structure, plan: Plan, t: Trigger, own: str, name: str = 
             return f"touch({subject}, {other})"
         case "speed":
             off = f"abs({subject}.speed - {scope.number(value if value is not None else SPEED)})"
-            return f"{CLOCK} > 0.5 and {off} < {SAME}"
+            return f"clock() > 0.5 and {off} < {SAME}"
         case "light":
             state = FLASHES.get(t.light or "green", t.light or "green")
             return f"getClosestTrafficLightStatus({subject}) == '{state}'"
         case "seen":
             return _seen(structure, subject, other, t.of)
         case "action":
-            from c2s_engine.write.typed.triggers import observed
-
             return observed(structure, other, t.of or "ego", t.action)
         case _:
             return _there(structure, plan, t, subject, cid, value or 0.0)
@@ -95,7 +93,7 @@ def _there(structure: Structure, plan: Plan, t: Trigger, subject: str, cid: str,
         return f"along(place.lane, {subject}.position) + {subject}.length / 2 > place.mark{before}"
     lane = _lane(structure, plan, cid)
     if lane is None:
-        return f"{CLOCK} >= {SECONDS:g}"
+        return f"clock() >= {SECONDS:g}"
     if t.place == "intersection":
         return f"(distance from {subject} to {lane}.centerline[-1]) < {scope.number(value)} + {subject}.length / 2"
     return f"to_line({subject}, {lane}) < {scope.number(value + 0.3)}"

@@ -41,6 +41,6 @@ lead = new Car at place.lane.centerline.pointAlongBy(LEAD_AT),
 
 ## T
 require monitor OnceSeen([
-    lambda: lead.speed < 5.7 and ego.speed < lead.speed + 1,
+    lambda: lead.speed < 5.7,
 ])
 terminate after 20 seconds

@@ -43,6 +43,6 @@ cutter = new Car at place.left_lane.centerline.pointAlongBy(CUTTER_AT),
 
 ## T
 require monitor OnceSeen([
-    lambda: cutter.speed < 16.1 and ego.speed < cutter.speed + 1,
+    lambda: cutter.speed < 16.1,
 ])
 terminate after 20 seconds

@@ -30,8 +30,8 @@ PULLER_AT = EGO_AT + 50 + 5  # m along the lane
 
 behavior PullerBehavior():
     line = way(place.lane)
-    do Drive(line, 0) until pulls_out(self, ego, line, 3, -1.69)
-    do Drive(line, 7, rate=3)
+    do Drive(line, 0) until pulls_out(self, ego, line, 2.4, -1.69)
+    do Drive(line, 7, rate=2.4)
 
 puller = new Car at beside(place.lane.rightEdge, place.lane, PULLER_AT, 1.6),
     facing heading_at(place.lane, PULLER_AT),

@@ -119,8 +119,9 @@ def _awaited(scene: Scene) -> Iterator[Requirement]:
             continue
         text = f"{scene.named(actor)}: {phase.action.replace('_', ' ')} comes after {scene.named(trigger.of)}: " \
             f"{trigger.action.replace('_', ' ')}."  # fmt: skip
-        yield scene.make("order", "in_order", actor, f"phases.{i}.awaits", text, first=first,
-                         second=f"{_cid(actor)}.phases.{i}.{phase.action}")  # fmt: skip
+        yield scene.make("order", "in_order", actor, f"phases.{i}.awaits", text, other=trigger.of, first=first,
+                         second=f"{_cid(actor)}.phases.{i}.{phase.action}", action=phase.action,
+                         its=trigger.action)  # fmt: skip
 
 
 def shown(requirement: Requirement, evidence: Evidence) -> Result:
@@ -226,6 +227,10 @@ def in_order(requirement: Requirement, evidence: Evidence) -> Result:
     second = evidence.times.get(str(requirement.values["second"]))
     if first is None or second is None:
         return unknown(requirement, "in this order", "not reached: one of the two was not seen")
+    one, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
+    if one is not None and other is not None and "its" in requirement.values:  # from when each can be seen to begin
+        first = moments.onset(other, str(requirement.values["its"]), first)
+        second = moments.onset(one, str(requirement.values["action"]), second)
     room = bounds()["order"]["room"]["value"]
     return scored(requirement, (second - first + room) / 1.0, "in this order", f"{first:.1f} s, then {second:.1f} s",
                   second)  # fmt: skip

@@ -252,7 +252,9 @@ def _sets_out(
     if t and t.kind == "ttc" and value:
         return f"gap(self, {other}) < {value} * max({other}.speed, 3)"
     if t and t.kind == "action":
-        return f"{other}.speed < 0.5" if t.action in ("stop", "stationary") else f"(distance from self to {other}) < 25"
+        from c2s_engine.write.typed.triggers import observed
+
+        return observed(structure, other, t.of or "ego", t.action)
     if _ego_stays(structure, plan):
         return "simulation().currentTime * simulation().timestep >= 2"
     gained = f", {scope.number(rate)}" if rate else ""

@@ -48,6 +48,8 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
     if place.position == "beside" and not _at_door(scene, spec):
         lanes = (place.side,) if place.side else ("adjacent",)
         lanes = (*lanes, "same", "roadside", "sidewalk") if spec.type in RIDERS else lanes
+    if scene.place.kind == "roundabout" and "crossing" in (lanes or ()):  # arms meet at any angle
+        lanes = ("crossing", "oncoming")
     beyond = place.lateral is not None and low(place.lateral) > WIDE  # not the next lane
     if lanes and not beyond and not (place.position == "beside" and scene.place.kind == "on_ramp"):
         yield scene.make("start", "start_lane", actor, "placement.position", f"{name} starts {where} of {of}.",

@@ -323,10 +323,24 @@ def ring_approach(ego_way, angle):
                 return lane
         ring = min((m.endLane for m in ring.maneuvers), key=lambda lane: lane.centerline.length)
 
+@functools.lru_cache(maxsize=4)
+def ring_lanes(net):
+    """The manoeuvres in the roundabouts of a network, and the lanes between them."""
+    ways = [m for i in net.intersections if i.id in map_facts().roundabouts for m in i.maneuvers]
+    between = {m.startLane for m in ways} & {m.endLane for m in ways}
+    return ways, {lane for lane in between if not (lane.road.forwardLanes and lane.road.backwardLanes)}
+
+def left_ring(car, beside=3):
+    """Whether `car` has been in a roundabout and is out of it: more than so far (m) beside the ways round it."""
+    ways, ring = ring_lanes(network)
+    round = [m.connectingLane for m in ways if m.startLane in ring and m.endLane in ring]
+    inside = any(lane.centerline.distanceTo(car.position) < beside for lane in (*ring, *round))
+    car.in_ring = inside or simulation().currentTime > 0 and getattr(car, 'in_ring', False)
+    return car.in_ring and not inside
+
 def ring_lane(ego_way):
     """The ring of the roundabout of `ego_way` up to where ego comes in: a lane over its junctions, nearly once round."""
-    ways = [m for i in network.intersections if i.id in map_facts().roundabouts for m in i.maneuvers]
-    ring = {m.startLane for m in ways} & {m.endLane for m in ways}
+    ways, ring = ring_lanes(network)
     into = {m.endLane: m for m in ways if m.startLane in ring and m.endLane in ring}
     lane = into[ego_way.endLane].startLane
     chain = [lane]

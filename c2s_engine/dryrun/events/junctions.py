@@ -25,9 +25,12 @@ def junctions(seen: Seen, situation: Situation) -> Iterator[EventFact]:
     if not seen.moves or not seen.drives:
         return
     found: list[EventFact] = []
-    for junction, first, last in visits(seen, situation):
+    passed = visits(seen, situation)
+    rings = [visit for visit in passed if _in_ring(situation, visit[0])]
+    found += [fact(turn, situation, step) for turn, step in _round(seen, situation, rings)]
+    for junction, first, last in passed:
         turn = passage(seen, situation, junction, first, last)
-        if turn:
+        if turn and (junction, first, last) not in rings:
             found.append(fact(turn, situation, first))
         if first and seen.speed[first] > definitions()["run_red"].speed and seen.forward[first] > 0:
             road = _approach(seen, situation, first)
@@ -67,6 +70,47 @@ def visits(seen: Seen, situation: Situation) -> list[tuple[str, int, int]]:
     return [visit for visit in found if is_intersection(situation, visit[0])]
 
 
+def _in_ring(situation: Situation, junction: str) -> bool:
+    """Whether a junction is one of those of a roundabout."""
+    extras = situation.extras
+    known = extras is not None and junction.isdigit() and extras.junctions.get(int(junction))
+    return bool(known and known.kind == "roundabout")
+
+
+def _round(seen: Seen, situation: Situation, rings: list[tuple[str, int, int]]) -> Iterator[tuple[str, int]]:
+    """(event, step) of its ways through roundabouts, each taken as one junction: by the direction in which it leaves, at
+    the step at which it comes in; of one that is in the ring at the start by whether it leaves it."""
+    of = situation.extras.junctions if situation.extras is not None else {}
+    known = [j for j in of.values() if j.kind == "roundabout"]
+    ring = {r for a in known for b in known if a is not b for r in set(a.outgoing) & set(b.incoming) - set(a.incoming)}
+    lanes = situation.index.lanes
+    inside: list[bool] = []
+    for lane in seen.lanes.tolist() if rings else ():  # who is off the lanes is where it was
+        there = lane != NOWHERE and (lanes[lane].junction in {r[0] for r in rings} or int(lanes[lane].road) in ring)
+        inside.append(there if lane != NOWHERE or not inside else inside[-1])
+    entered: int | None = None
+    for step in (k for k in range(1, len(inside)) if inside[k] != inside[k - 1]):
+        if inside[step]:
+            entered = step
+            continue
+        if entered is None:
+            yield "turn_right", next((first for _, first, last in rings if last >= step - 1), step)
+            continue
+        turned = float(np.unwrap(seen.heading[entered : step + 1])[-1] - seen.heading[entered])
+        yield _direction(turned), entered
+    if inside and inside[0] and all(inside):
+        yield from (("go_straight", first) for _, first, last in rings if last + 1 < len(inside))
+
+
+def _direction(turned: float) -> str:
+    """The event of one whose heading has changed by so much (rad, to the left) over a junction."""
+    if abs(turned) >= np.radians(150):
+        return "u_turn"
+    if abs(turned) >= np.radians(definitions()["turn_left"].turn):
+        return "turn_left" if turned > 0 else "turn_right"
+    return "go_straight"
+
+
 def passage(seen: Seen, situation: Situation, junction: str, first: int, last: int) -> str | None:
     """Which way it takes: by the connecting lane if it is halfway through it, else by its change of heading."""
     within = [int(lane) for lane in seen.lanes[first : last + 1] if lane != NOWHERE]
@@ -82,12 +126,8 @@ def passage(seen: Seen, situation: Situation, junction: str, first: int, last: i
         fits = abs(float(wrap(seen.heading[steps[-1]] - info.heading_at(float(progress[-1]))))) < np.radians(50)
         if lane in ways and fits and not straying:
             return TURNS.get(ways[lane]) if onward >= limits.half else None
-    turned = float(np.unwrap(seen.heading[first : last + 1])[-1] - seen.heading[first])
-    if abs(turned) >= np.radians(150):
-        return "u_turn"
-    if abs(turned) >= np.radians(limits.turn):
-        return "turn_left" if turned > 0 else "turn_right"
-    return "go_straight" if last < seen.until else None
+    turn = _direction(float(np.unwrap(seen.heading[first : last + 1])[-1] - seen.heading[first]))
+    return turn if turn != "go_straight" or last < seen.until else None
 
 
 def _maneuvers(situation: Situation, junction: str) -> dict[int, ManeuverType]:

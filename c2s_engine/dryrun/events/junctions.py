@@ -9,6 +9,7 @@ from scenic.domains.driving.roads import ManeuverType
 from c2s_engine.dryrun.events.motion import fact
 from c2s_engine.dryrun.events.situation import NOWHERE, Seen, Situation, wrap
 from c2s_engine.dryrun.events.table import definitions
+from c2s_engine.maps.extras import MapExtras
 from c2s_engine.structure.facts import EventFact
 
 RAMPS = ("on_ramp", "off_ramp", "transition")
@@ -80,26 +81,41 @@ def _in_ring(situation: Situation, junction: str) -> bool:
 def _round(seen: Seen, situation: Situation, rings: list[tuple[str, int, int]]) -> Iterator[tuple[str, int]]:
     """(event, step) of its ways through roundabouts, each taken as one junction: by the direction in which it leaves, at
     the step at which it comes in; of one that is in the ring at the start by whether it leaves it."""
-    of = situation.extras.junctions if situation.extras is not None else {}
-    known = [j for j in of.values() if j.kind == "roundabout"]
-    ring = {r for a in known for b in known if a is not b for r in set(a.outgoing) & set(b.incoming) - set(a.incoming)}
-    lanes = situation.index.lanes
+    if not rings or situation.extras is None:
+        return
+    ring, lanes = _ring_roads(situation.extras), situation.index.lanes
+    ends = {n: road for name in {r[0] for r in rings} for n, road in _ends(situation.index, name).items()}
     inside: list[bool] = []
-    for lane in seen.lanes.tolist() if rings else ():  # who is off the lanes is where it was
-        there = lane != NOWHERE and (lanes[lane].junction in {r[0] for r in rings} or int(lanes[lane].road) in ring)
+    for lane in seen.lanes.tolist():  # who is off the lanes is where it was; a way out of the ring is outside
+        there = lane != NOWHERE and int(ends.get(lane, lanes[lane].road)) in ring
         inside.append(there if lane != NOWHERE or not inside else inside[-1])
     entered: int | None = None
     for step in (k for k in range(1, len(inside)) if inside[k] != inside[k - 1]):
         if inside[step]:
             entered = step
             continue
+        lane = int(seen.lanes[step])
+        heading = float(lanes[lane].headings[-1]) if lane in ends else float(seen.heading[step])
         if entered is None:
-            yield "turn_right", next((first for _, first, last in rings if last >= step - 1), step)
-            continue
-        turned = float(np.unwrap(seen.heading[entered : step + 1])[-1] - seen.heading[entered])
-        yield _direction(turned), entered
-    if inside and inside[0] and all(inside):
+            yield "turn_right", step
+        elif not any(inside[step : step + 10]):
+            turned = float(np.unwrap(seen.heading[entered : step + 1])[-1] - seen.heading[entered])
+            yield _direction(turned + float(wrap(heading - seen.heading[step]))), entered
+    if all(inside):
         yield from (("go_straight", first) for _, first, last in rings if last + 1 < len(inside))
+
+
+def _ring_roads(extras: MapExtras) -> set[int]:
+    """The one-way roads that lead from one junction of a roundabout to the next."""
+    known = [j for j in extras.junctions.values() if j.kind == "roundabout"]
+    return {r for a in known for b in known if a is not b for r in set(a.outgoing) & set(b.incoming) - set(a.incoming)}
+
+
+@lru_cache(maxsize=64)
+def _ends(index, junction: str) -> dict[int, str]:  # type: ignore[no-untyped-def]
+    """The roads to which the ways of a junction lead."""
+    ways = index.junctions[junction].maneuvers if junction in index.junctions else ()
+    return {index.number[m.connectingLane.uid]: str(m.endLane.road.id) for m in ways if m.connectingLane is not None}
 
 
 def _direction(turned: float) -> str:

@@ -18,7 +18,7 @@ from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP
 from c2s_engine.write.typed.threats import hits_ego, is_hit
 from c2s_engine.write.typed.usual import speed_of, turn_of, uses_crosswalk
 
-USUAL, ROUND = 20.0, 35.0
+USUAL, ROUND = 20.0, 45.0
 """s after which a run ends at the latest; round a roundabout."""
 FAST = 11.5
 """m/s at which nobody comes up to a stop sign of their own."""

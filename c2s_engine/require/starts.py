@@ -126,8 +126,10 @@ def start_along(requirement: Requirement, evidence: Evidence) -> Result:
     seen = "ahead" if _ahead(requirement, evidence, "ahead" in fact.relations) else "behind"
     if said == "abreast":
         limit = bounds()["start"]["abreast"]["value"]
+        one, late = evidence.motion(requirement.actor), max(0.0, fact.gap - 0.8 * limit)
+        due = late / max(float(one.speed[0]), 1.0) * (-1.0 if seen == "behind" else 1.0) if one and late else None
         return scored(requirement, (limit - fact.gap) / limit, f"abreast (within {limit:g} m)",
-                      f"{fact.gap:.1f} m {seen}", 0.0)  # fmt: skip
+                      f"{fact.gap:.1f} m {seen}", 0.0, due=due)  # fmt: skip
     return decided(requirement, seen == said, said, f"{fact.gap:.1f} m {seen}", 0.0)
 
 

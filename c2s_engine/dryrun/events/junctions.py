@@ -56,10 +56,16 @@ def is_intersection(situation: Situation, junction: str | None) -> bool:
     return crossing is None or any(m.type is not ManeuverType.STRAIGHT for m in crossing.maneuvers)
 
 
+def beside(seen: Seen, situation: Situation) -> dict[int, str | None]:
+    """The junction beside whose ways one who rides on no lane is, at each such step."""
+    off = np.flatnonzero(seen.lanes == NOWHERE) if seen.moves and seen.drives else np.zeros(0, int)
+    return dict(zip(off.tolist(), situation.index.junctions_around(seen.xy[off]), strict=True))
+
+
 def visits(seen: Seen, situation: Situation) -> list[tuple[str, int, int]]:
     """(junction, first step, last step) of each time that it is within an intersection."""
-    lanes = situation.index.lanes
-    inside = [lanes[lane].junction if lane != NOWHERE else None for lane in seen.lanes.tolist()]
+    lanes, around = situation.index.lanes, beside(seen, situation)
+    inside = [lanes[lane].junction if lane != NOWHERE else around[k] for k, lane in enumerate(seen.lanes.tolist())]
     found: list[tuple[str, int, int]] = []
     for step, junction in enumerate(inside):
         if junction is None:

@@ -1041,7 +1041,7 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
     `control` holds for ego ('signal', 'stop', 'yield', 'none'); with a `crosswalk` at ego's line, or without; with lanes
     of `approach` m before the junction and `exit` m behind it, over several roads (`across`: and straight over other
     junctions) where roads are short; with `others` to meet there, a list of `From`, and with other ways from
-    ego's lane, `also`. Where no control is asked for, ego has no stop sign if there are such ways."""
+    ego's lane, `also`. Where no control is asked for, there are neither lights nor a stop sign for ego if such ways are."""
     facts = map_facts()
     found = []
     for junction in network.intersections:
@@ -1054,6 +1054,7 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
     found = [m for m in found if all(any(o.type is way for o in m.startLane.maneuvers) for way in also)]
     if control is None:
         found = [m for m in found if facts.sign(m.startLane, m.intersection) != 'stop'] or found
+        found = [m for m in found if not facts.controlled(m.intersection, 'signal')] or found
     minor = control is None and any(other.sign and other.side != 'opposite' for other in others)
     if minor:  # whom others have to give way to has no sign itself
         found = [m for m in found if facts.sign(m.startLane, m.intersection) != 'stop']

@@ -36,8 +36,9 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
     home, step = c.lane, -1 if p.side == "right" else 1
     changes = home is not None and not c.oncoming_both(p) and not _by_offset(c, p)
     if changes:
-        line, back = c.onto(step), f"line = way({LANE_NAME[home]})"  # type: ignore[index]
+        line = c.onto(step)
         c.lane = home
+        back = c.along_lane()
         out, home_again = [line, c.drive()], [back, c.drive()]
     else:
         inside = INSIDE if c.actor.spec.type in NARROW else sideways(c.other(p.target))

@@ -86,7 +86,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         set_out=set_out,
         leads=lanes.leads(ego, objects, lane_of, speed, place),
         parked=any(o.placement.position == "parked" for o in objects.values()),
-        also=alongside.other_ways(structure, place),
+        also=alongside.other_ways(structure, place, lane_of),
         across=room < rooms.SHORTEST,
     )
     return _with_room(structure, plan)

@@ -51,7 +51,8 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
     if scene.place.kind == "roundabout" and "crossing" in (lanes or ()):  # arms meet at any angle
         lanes = ("crossing", "oncoming")
     beyond = place.lateral is not None and low(place.lateral) > WIDE  # not the next lane
-    if lanes and not beyond and not (place.position == "beside" and scene.place.kind == "on_ramp"):
+    beside = place.position in ("beside", "left_lane", "right_lane") and place.of == EGO
+    if lanes and not beyond and not (beside and scene.place.kind == "on_ramp"):  # by the ramp, not yet next to it
         yield scene.make("start", "start_lane", actor, "placement.position", f"{name} starts {where} of {of}.",
                          other=place.of, lanes=tuple(str(lane) for lane in lanes), where=where)  # fmt: skip
     along = {"abreast": "abreast"}.get(str(place.along)) or place.along or LENGTHWISE.get(place.position)

@@ -18,8 +18,8 @@ from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP
 from c2s_engine.write.typed.threats import hits_ego, is_hit
 from c2s_engine.write.typed.usual import speed_of, turn_of, uses_crosswalk
 
-USUAL, ROUND = 20.0, 45.0
-"""s after which a run ends at the latest; round a roundabout."""
+USUAL, LONG = 20.0, 45.0
+"""s after which a run ends at the latest; the same round a roundabout and over an acceleration lane."""
 FAST = 11.5
 """m/s at which nobody comes up to a stop sign of their own."""
 
@@ -59,7 +59,8 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     passed = pocketed(objects, place)
     ways = {cid: (o.placement.position, turn_of(o.phases)) for cid, o in crossing.items()}
     speed, top = middle(speed_of(ego, place)), high(speed_of(ego, place))
-    duration = getattr(restrictions, "duration", None) or (ROUND if place.kind == "roundabout" else USUAL)
+    far = place.kind == "roundabout" or rooms.to_merge_end(ego, objects)
+    duration = getattr(restrictions, "duration", None) or (LONG if far else USUAL)
     met = frozenset(cid for cid, o in crossing.items() if hits_ego(o) or is_hit(ego, cid))
     set_out = frozenset(cid for cid in met if _sets_out(objects[cid]))
     plan = Plan(

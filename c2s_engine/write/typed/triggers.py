@@ -14,6 +14,8 @@ from c2s_engine.write.typed.threats import IN_WAY, is_stopped, on_foot, shown, s
 from c2s_engine.write.typed.towards import before_standing, opposite_standing
 from c2s_engine.write.typed.usual import crosses, speed_of
 
+TO_END = 6.0
+"""m before the end of an acceleration lane at which the middle of one is who stops there."""
 ASIDE = 1.0
 """m from the middle of its lane at which one is seen to leave it."""
 FORCED = {"brake", "stop", "swerve", "lane_change"}
@@ -158,6 +160,9 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
 def _before_junction(course: Course, value: float, phase: Phase) -> str:
     if phase.trigger is not None and phase.trigger.place == "merge_end":
         there, metres = "place.acceleration_lane", scope.number(max(value, ahead.MERGES))
+        if phase.action in ("stop", "brake"):  # as far before it as that takes
+            rate = middle(phase.rate) if phase.rate else 3.5 if phase.action == "stop" else 3.0
+            metres = f"{scope.number(value + TO_END)} + self.speed ** 2 / {scope.number(2 * rate)}"
         return f"until self._lane is {there} and (distance from self to {there}.centerline[-1]) < {metres}"
     lane = course.actor.to_junction
     if lane is None:

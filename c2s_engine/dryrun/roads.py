@@ -137,6 +137,19 @@ class RoadIndex:
         return {str(crossing.id): crossing for crossing in self.network.intersections}
 
     @cached_property
+    def _hulls(self) -> tuple[list[str], shapely.STRtree]:
+        names = list(self.junctions)
+        return names, shapely.STRtree([shapely.convex_hull(self.junctions[n].polygon) for n in names])
+
+    def junctions_around(self, xy: np.ndarray) -> list[str | None]:
+        """The junction between whose ways, or beside them, each point (x, y) lies: who rides past on no lane."""
+        names, tree = self._hulls
+        found: list[str | None] = [None] * len(xy)
+        for point, hull in tree.query(shapely.points(xy), predicate="within").T:
+            found[int(point)] = names[int(hull)]
+        return found
+
+    @cached_property
     def off_road(self) -> shapely.STRtree:
         """Shoulders, parking lanes and sidewalks."""
         return shapely.STRtree([e.polygon for e in (*self.network.shoulders, *self.network.sidewalks)])

@@ -93,7 +93,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
     reacts = scene.ego.reaction != "none" or any(answers(p, scene.structure) for p in scene.ego.phases)
     struck = {frozenset(pair) for pair in struck_pairs(scene)}
     for actor in _threats(scene, reacts):
-        if frozenset((actor, EGO)) in struck or not scene.recognised(actor):
+        if frozenset((actor, EGO)) in struck or not scene.recognised(actor) or _turns_off(scene, actor):
             continue
         name = scene.named(actor)
         text = f"{name} is a threat to ego: " + ("were ego not to react, they" if reacts else "they") + \
@@ -106,6 +106,13 @@ def required(scene: Scene) -> Iterator[Requirement]:
                              "seen, in time, and not before.", other=actor,
                              action=_onset_of(scene.objects[actor]), hard=scene.ego.hard,
                              **beside)  # type: ignore[arg-type]  # fmt: skip
+
+
+def _turns_off(scene: Scene, actor: str) -> bool:
+    """Whether one for whom ego waits in vain, as S says: it leaves the roundabout before it comes to ego's way."""
+    spec = scene.objects[actor]
+    circles = scene.place.kind == "roundabout" and spec.placement.position == "circulating"
+    return circles and any(p.action == "turn_right" for p in spec.phases)
 
 
 def _arriving(scene: Scene) -> Iterator[Requirement]:

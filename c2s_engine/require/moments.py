@@ -23,6 +23,10 @@ LANE = 3.5
 """m, of most maps' lanes."""
 BEGUN = 0.3
 """m to the side by which one has begun to move there."""
+NEAR = 60.0
+"""m within which one is for whom another waits."""
+WAITS = 20.0
+"""m before a junction within which one waits there."""
 LONGEST = 8.0
 """s that a move to the side takes at most until it is seen."""
 
@@ -182,7 +186,22 @@ def let_go_first(motion: Motion, other: Motion | None) -> list[float]:
     for a, b in stretches(motion.acceleration[:n] < -bounds()["phase"]["change_rate"]["value"] / 2):
         if motion.smooth[a] - motion.smooth[b] > need and ahead[a] < half and (ahead[a:] > half).any():
             return [float(motion.time[a])]
-    return []
+    return _waited(motion, other)
+
+
+def _waited(motion: Motion, other: Motion) -> list[float]:
+    """When it begins to slow down before a junction in which another is then, who comes nearer, before it drives on."""
+    n, change = min(len(motion.x), len(other.x)), bounds()["phase"]["change"]["value"]
+    speed = motion.smooth[:n]
+    slow = int(speed.argmin())
+    began = slow - int((speed[: slow + 1][::-1] > speed[slow] + change).argmax())
+    again = slow + int((speed[slow:] > speed[slow] + change).argmax())
+    if speed[: slow + 1].max() - speed[slow] < change or again == slow:
+        return []
+    front, apart = motion.of_course("along")[slow], np.hypot(motion.x[:n] - other.x[:n], motion.y[:n] - other.y[:n])
+    before = any(m.kind == "line" and abs(m.start - front) < WAITS for m in motion.course.marks)
+    within = any(s is not None and s.kind == "junction" for s in map(other.stay, other.time[began:again]))
+    return [float(motion.time[began])] if before and within and apart[again] < min(apart[began], NEAR) else []
 
 
 def kept_from(motion: Motion, time: float, within: float = 1.0) -> list[float]:

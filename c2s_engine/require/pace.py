@@ -34,7 +34,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
     spec = scene.structure.restrictions.spec
     if getattr(spec, "duration", None) is None or not scene.stated("T", "duration"):
         yield scene.make("pace", "soon_over", EGO, "pace.over", "The run is over soon after the last of what is said.",
-                         component="T", of=ids, lasting=lasting, reacts=scene.ego.reaction != "none")  # fmt: skip
+                         component="T", of=ids, lasting=lasting, reacts=scene.ego.reaction != "none",
+                         round=scene.place.kind == "roundabout")  # fmt: skip
     yield scene.make("pace", "not_cut_short", EGO, "pace.whole", "The run does not end amid what somebody is doing.",
                      component="T")  # fmt: skip
     yield scene.make("pace", "no_dead_time", EGO, "pace.dead", "There is no long time in which nothing happens.",
@@ -53,8 +54,9 @@ def _last(requirement: Requirement, moments: list[float], evidence: Evidence) ->
     """The last thing that happens: of what is said, a junction left behind, a speed reached, a contact, that somebody
     comes to its stand or that ego's braking for others is over."""
     seen = ((key, action, m, evidence.times.get(key)) for key, action, m in _seen(requirement, evidence))
+    round_it = bool(requirement.values["round"])
     left = [
-        _leaves(m, t) if action in AT_JUNCTION else _reached(m, t) for _, action, m, t in seen
+        _leaves(m, t, round_it) if action in AT_JUNCTION else _reached(m, t) for _, action, m, t in seen
         if t is not None and action in (*AT_JUNCTION, *CHANGES_SPEED)
     ]  # fmt: skip
     stands = [
@@ -81,9 +83,12 @@ def _reached(motion: Motion, time: float) -> float:
     return float(motion.time[motion.at(time) + int(over[0])]) if len(over) else float(motion.time[-1])
 
 
-def _leaves(motion: Motion, time: float) -> float:
-    """When somebody who comes into a junction at `time` is out of it, or where its run or its way ends there."""
+def _leaves(motion: Motion, time: float, round_it: bool) -> float:
+    """When somebody who comes into a junction at `time` is out of it, or where its run or its way ends there; of a
+    roundabout the last of its junctions."""
     stays = motion.course.stays
+    if round_it:
+        time = max([time, *(s.time for s in stays if s.kind == "junction")])
     inside = next((k for k, s in enumerate(stays) if s.kind == "junction" and s.time > time - 1.0), None)
     if inside is None:
         return time
@@ -152,13 +157,16 @@ def no_dead_time(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 def _speed_moments(evidence: Evidence) -> list[float]:
-    """When somebody brakes (all the while), gains speed, turns or first moves aside: not said, and yet something that
-    happens."""
+    """When somebody brakes (all the while), gains speed, turns, comes into a junction or first moves aside: not said,
+    and yet something that happens."""
     limits, moving = bounds()["phase"], [m for m in evidence.everybody if m.moves]
     times = [m.time[m.acceleration < -limits["change_rate"]["value"]] for m in moving]
     times += [m.time[np.abs(beside(m)) > limits["begun"]["value"]][:1] for m in moving]
     telling = ("brake", "accelerate", "stop", "turn_left", "turn_right", "cross_path", "lane_change", "yield")
     seen = [e.time for o in evidence.facts.objects for e in o.events if e.event in telling]
+    seen += [s.time for m in moving for s in m.course.stays if s.kind == "junction"]
+    turn = bounds()["pace"]["turns"]["value"]
+    times += [m.time[1:][np.diff(np.floor((m.heading - m.heading[0]) / turn)) != 0] for m in moving]
     return [*seen, *(float(t) for some in times for t in some)]
 
 

@@ -18,6 +18,7 @@ SIDED = ("cut_in", "cut_out", "swerve", "drift", "leave_road")
 AT_JUNCTION = ("turn_left", "turn_right", "go_straight", "run_red", "run_stop")
 BY_SPEED = ("brake", "stop", "accelerate", "start", "wait", "stationary")
 """Seen on the tracks, so that a second braking is seen too; the others by the events of the run."""
+SLOWS = ("stop", "brake", "wait")
 LASTING = ("keep_lane", "follow", "stationary", "move_along", "oncoming", "wait")
 """States rather than moments: their order says nothing."""
 
@@ -51,7 +52,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
         yield from _details(scene, actor, path, phase, seen.id)
         yield from moments.required(scene, actor, path, phase, seen.id)
         if phase.action not in LASTING:
-            if actor in before:
+            gives_way = phase.action == "yield" and i > 0 and scene.actors[actor].phases[i - 1].action in SLOWS
+            if actor in before and not gives_way:  # slowing down is how it does that
                 yield scene.make("order", "in_order", actor, f"{path}.order", f"{name}: {said} comes after what is "
                                  "said before it.", first=before[actor], second=seen.id)  # fmt: skip
             before[actor] = seen.id
@@ -231,8 +233,6 @@ def in_order(requirement: Requirement, evidence: Evidence) -> Result:
     second = evidence.times.get(str(requirement.values["second"]))
     if first is None or second is None:
         return unknown(requirement, "in this order", "not reached: one of the two was not seen")
-    if (cause := evidence.motion(requirement.other or EGO)) is not None and "cause" in requirement.values:
-        first = moments.onset(cause, str(requirement.values["cause"]), first)  # it can be seen from then on
     room = bounds()["order"]["room"]["value"]
     return scored(requirement, (second - first + room) / 1.0, "in this order", f"{first:.1f} s, then {second:.1f} s",
                   second)  # fmt: skip
@@ -299,7 +299,11 @@ def near_place(requirement: Requirement, evidence: Evidence) -> Result:
     kind = {"intersection": "junction", "merge_end": "merge"}.get(place, "crosswalk")
     if str(requirement.values.get("action")) in moments.SIDEWAYS:
         time = moments.onset(motion, str(requirement.values["action"]), time)
-    front = float(motion.of_course("along")[motion.at(time)]) + motion.size[0] / 2
+    at = motion.at(time)
+    if kind == "merge" and requirement.values.get("action") == "brake":  # where that is over
+        slower = motion.acceleration[at:] > -bounds()["phase"]["change_rate"]["value"] / 2
+        at += int(slower[5:].argmax()) + 5 if slower[5:].any() else len(slower) - 1
+    front = float(motion.of_course("along")[at]) + motion.size[0] / 2
     marks = [m for m in motion.course.marks if m.kind == kind]
     if kind == "merge":
         away = [max(m.end - front, 0.0) for m in marks if m.start < front]

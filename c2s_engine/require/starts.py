@@ -30,6 +30,8 @@ RIDERS = ("bicycle", "motorcycle")
 """Who is beside another in its lane or at its edge, too."""
 OFF_LANES = ("roadside", "sidewalk", "parked")
 VEHICLES = ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck")
+ACROSS = 0.7
+"""The sine of the angle to ego's way from which one looks across it."""
 IN_MIDDLE = 0.15
 """m from the middle of ego's way within which one is there."""
 
@@ -46,8 +48,11 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
     if place.position == "beside" and not _at_door(scene, spec):
         lanes = (place.side,) if place.side else ("adjacent",)
         lanes = (*lanes, "same", "roadside", "sidewalk") if spec.type in RIDERS else lanes
+    if scene.place.kind == "roundabout" and "crossing" in (lanes or ()):  # arms meet at any angle
+        lanes = ("crossing", "oncoming")
     beyond = place.lateral is not None and low(place.lateral) > WIDE  # not the next lane
-    if lanes and not beyond and not (place.position == "beside" and scene.place.kind == "on_ramp"):
+    beside = place.position in ("beside", "left_lane", "right_lane") and place.of == EGO
+    if lanes and not beyond and not (beside and scene.place.kind == "on_ramp"):  # by the ramp, not yet next to it
         yield scene.make("start", "start_lane", actor, "placement.position", f"{name} starts {where} of {of}.",
                          other=place.of, lanes=tuple(str(lane) for lane in lanes), where=where)  # fmt: skip
     along = {"abreast": "abreast"}.get(str(place.along)) or place.along or LENGTHWISE.get(place.position)
@@ -119,12 +124,24 @@ def start_along(requirement: Requirement, evidence: Evidence) -> Result:
     fact, said = _fact(requirement, evidence), str(requirement.values["along"])
     if fact is None:
         return unknown(requirement, said, "one of the two is not there")
-    seen = "ahead" if "ahead" in fact.relations else "behind"
+    seen = "ahead" if _ahead(requirement, evidence, "ahead" in fact.relations) else "behind"
     if said == "abreast":
         limit = bounds()["start"]["abreast"]["value"]
+        one, late = evidence.motion(requirement.actor), max(0.0, fact.gap - 0.8 * limit)
+        due = late / max(float(one.speed[0]), 1.0) * (-1.0 if seen == "behind" else 1.0) if one and late else None
         return scored(requirement, (limit - fact.gap) / limit, f"abreast (within {limit:g} m)",
-                      f"{fact.gap:.1f} m {seen}", 0.0)  # fmt: skip
+                      f"{fact.gap:.1f} m {seen}", 0.0, due=due)  # fmt: skip
     return decided(requirement, seen == said, said, f"{fact.gap:.1f} m {seen}", 0.0)
+
+
+def _ahead(requirement: Requirement, evidence: Evidence, otherwise: bool) -> bool:
+    """Whether one starts ahead of another: of one who looks across the road, along ego's way."""
+    one, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
+    ego = evidence.motion(EGO)
+    if one is None or other is None or ego is None or not one.course.ego_along or not other.course.ego_along:
+        return otherwise
+    across = abs(np.sin(other.heading[0] - ego.heading[0])) > ACROSS and other.course.stays[0].kind != "lane"
+    return bool(one.course.ego_along[0] > other.course.ego_along[0]) if across else otherwise
 
 
 def start_side(requirement: Requirement, evidence: Evidence) -> Result:

@@ -44,7 +44,9 @@ async def judged(structure: Structure, report: CheckReport, tools: Tools, *, map
 
     if not report.facts:
         return Judged()
-    without = await _without_reaction(structure, tools, map_name=map_name, room=room, seed=seed, runs=len(report.facts))
+    longest = max(LONGEST, *(f.duration for f in report.facts))
+    without = await _without_reaction(structure, tools, map_name=map_name, room=room, seed=seed,
+                                      runs=len(report.facts), seconds=longest)  # fmt: skip
     requirements = require(structure)
     columns = [
         evaluate(requirements, run.facts, run.trajectories, without[k] if k < len(without) else None)
@@ -62,7 +64,7 @@ def measures_of(report: CheckReport) -> tuple[Measures, ...]:
 
 
 async def _without_reaction(structure: Structure, tools: Tools, *, map_name: str, room: float, seed: int,
-                            runs: int) -> list[Run]:  # fmt: skip
+                            runs: int, seconds: float) -> list[Run]:  # fmt: skip
     """The same scenes with ego's reaction switched off, where S says a conflict and ego's code is written from S."""
     from c2s_engine.require import without_reaction
 
@@ -70,7 +72,7 @@ async def _without_reaction(structure: Structure, tools: Tools, *, map_name: str
         return []
     chosen = map_choice(tools.library, tools.library.find(map_name))
     writer = TypedWriter(chosen, room=room)
-    ego, going_on = (steps.write(each, [], writer, steps.silent) for each in (changed, _going_on(structure)))
+    ego, going_on = (steps.write(each, [], writer, steps.silent) for each in (changed, _going_on(structure, seconds)))
     if not (ego[3].ok and going_on[3].ok):
         return []
     # all others start and drive as in the scene that is judged, for as long as it takes to see what comes of it
@@ -80,11 +82,11 @@ async def _without_reaction(structure: Structure, tools: Tools, *, map_name: str
     return runs_of(report)
 
 
-def _going_on(structure: Structure) -> Structure:
+def _going_on(structure: Structure, seconds: float) -> Structure:
     """S whose run does not end with what is said."""
     restrictions = structure.restrictions
     assert isinstance(restrictions.spec, RestrictionsSpec)
-    spec = restrictions.spec.model_copy(update={"terminate_when": (), "duration": LONGEST})
+    spec = restrictions.spec.model_copy(update={"terminate_when": (), "duration": round(seconds, 1)})
     changed = restrictions.model_copy(update={"spec": spec})
     return structure.with_component(changed) if restrictions.origin == "rendered" else structure
 

@@ -1,5 +1,6 @@
 """The engine's steps as plain functions: interpret, configure, write, check. The graph's nodes are thin over them."""
 
+import re
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -103,6 +104,12 @@ def _state(component: Component) -> ComponentState:
     return ComponentState(component=component, state="by_hand" if component.origin == "by_hand" else "clean")
 
 
+def _own_length(program: Program) -> float:
+    """The s after which a program says that it ends, 0 where it says nothing."""
+    said = re.findall(r"^terminate after ([\d.]+) seconds", program.text, re.MULTILINE)
+    return max(map(float, said), default=0.0)
+
+
 async def check(
     program: Program,
     tools: Tools,
@@ -126,7 +133,7 @@ async def check(
         upto=upto,
         seed=seed,
         runs=runs,
-        seconds=tools.settings.seconds,
+        seconds=max(tools.settings.seconds, _own_length(program)),
         trajectories=trajectories or upto == "run",
         trust=trust,
         allow=tools.settings.allow,

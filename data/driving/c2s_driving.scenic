@@ -323,10 +323,24 @@ def ring_approach(ego_way, angle):
                 return lane
         ring = min((m.endLane for m in ring.maneuvers), key=lambda lane: lane.centerline.length)
 
+@functools.lru_cache(maxsize=4)
+def ring_lanes(net):
+    """The manoeuvres in the roundabouts of a network, and the lanes between them."""
+    ways = [m for i in net.intersections if i.id in map_facts().roundabouts for m in i.maneuvers]
+    between = {m.startLane for m in ways} & {m.endLane for m in ways}
+    return ways, {lane for lane in between if not (lane.road.forwardLanes and lane.road.backwardLanes)}
+
+def left_ring(car, beside=3):
+    """Whether `car` has been in a roundabout and is out of it: more than so far (m) beside the ways round it."""
+    ways, ring = ring_lanes(network)
+    round = [m.connectingLane for m in ways if m.startLane in ring and m.endLane in ring]
+    inside = any(lane.centerline.distanceTo(car.position) < beside for lane in (*ring, *round))
+    car.in_ring = inside or simulation().currentTime > 0 and getattr(car, 'in_ring', False)
+    return car.in_ring and not inside
+
 def ring_lane(ego_way):
     """The ring of the roundabout of `ego_way` up to where ego comes in: a lane over its junctions, nearly once round."""
-    ways = [m for i in network.intersections if i.id in map_facts().roundabouts for m in i.maneuvers]
-    ring = {m.startLane for m in ways} & {m.endLane for m in ways}
+    ways, ring = ring_lanes(network)
     into = {m.endLane: m for m in ways if m.startLane in ring and m.endLane in ring}
     lane = into[ego_way.endLane].startLane
     chain = [lane]
@@ -1094,7 +1108,7 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
     `control` holds for ego ('signal', 'stop', 'yield', 'none'); with a `crosswalk` at ego's line, or without; with lanes
     of `approach` m before the junction and `exit` m behind it, over several roads (`across`: and straight over other
     junctions) where roads are short; with `others` to meet there, a list of `From`, and with other ways from
-    ego's lane, `also`. Where no control is asked for, ego has no stop sign if there are such ways."""
+    ego's lane, `also`. Where no control is asked for, there are neither lights nor a stop sign for ego if such ways are."""
     facts = map_facts()
     found = []
     for junction in network.intersections:
@@ -1107,6 +1121,7 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
     found = [m for m in found if all(any(o.type is way for o in m.startLane.maneuvers) for way in also)]
     if control is None:
         found = [m for m in found if facts.sign(m.startLane, m.intersection) != 'stop'] or found
+        found = [m for m in found if not facts.controlled(m.intersection, 'signal')] or found
     minor = control is None and any(other.sign and other.side != 'opposite' for other in others)
     if minor:  # whom others have to give way to has no sign itself
         found = [m for m in found if facts.sign(m.startLane, m.intersection) != 'stop']

@@ -1,12 +1,13 @@
 """Where each object is on the road over time, what ego can see of it, and who touches whom where."""
 
 from functools import partial
+from itertools import groupby
 
 import numpy as np
 import shapely
 
 from c2s_engine.dryrun.contacts import corners
-from c2s_engine.dryrun.events.junctions import is_intersection, stop_sign
+from c2s_engine.dryrun.events.junctions import beside, is_intersection, stop_sign
 from c2s_engine.dryrun.events.situation import NOWHERE, Seen, Situation, wrap
 from c2s_engine.dryrun.events.starts import SIGHT_HEIGHT
 from c2s_engine.structure.facts import ContactFact, Course, Mark, Stay
@@ -89,10 +90,9 @@ class Lie:
 
 
 def _stays(seen: Seen, situation: Situation, lie: Lie) -> list[Stay]:
-    index = situation.index
-    shoulders = len(index.network.shoulders)
+    index, around = situation.index, beside(seen, situation)
     found = []
-    for lane, first, _last in seen.runs:
+    for lane, first, last in seen.runs:
         time = round(first * situation.step, 2)
         if lane != NOWHERE:
             info = index.lanes[lane]
@@ -101,11 +101,20 @@ def _stays(seen: Seen, situation: Situation, lie: Lie) -> list[Stay]:
             against = bool(abs(turn) > np.pi / 2)
             found.append(Stay(time=time, lane=lane, kind=kind, to_ego=lie.of(lane), against=against))
             continue
-        point = shapely.Point(seen.x[first], seen.y[first])
-        under = [int(i) for i in index.off_road.query(point, predicate="within")]
-        kind = "off" if not under else "shoulder" if min(under) < shoulders else "sidewalk"
-        found.append(Stay(time=time, kind=kind))
+        for junction, steps in groupby(range(first, last + 1), around.get):
+            found.append(_off_lanes(seen, situation, next(steps), junction, lie))
     return found
+
+
+def _off_lanes(seen: Seen, situation: Situation, step: int, junction: str | None, lie: Lie) -> Stay:
+    """What is under one on no lane from a step on; who rides past a junction's ways is in it."""
+    index, time = situation.index, round(step * situation.step, 2)
+    if is_intersection(situation, junction):
+        return Stay(time=time, kind="junction", to_ego="crossing" if junction in lie.junctions else "other")
+    point = shapely.Point(seen.x[step], seen.y[step])
+    under = [int(i) for i in index.off_road.query(point, predicate="within")]
+    shoulder = bool(under) and min(under) < len(index.network.shoulders)
+    return Stay(time=time, kind="off" if not under else "shoulder" if shoulder else "sidewalk")
 
 
 def _marks(seen: Seen, situation: Situation) -> list[Mark]:

@@ -9,6 +9,7 @@ from scenic.domains.driving.roads import ManeuverType
 from c2s_engine.dryrun.events.motion import fact
 from c2s_engine.dryrun.events.situation import NOWHERE, Seen, Situation, wrap
 from c2s_engine.dryrun.events.table import definitions
+from c2s_engine.maps.extras import MapExtras
 from c2s_engine.structure.facts import EventFact
 
 RAMPS = ("on_ramp", "off_ramp", "transition")
@@ -25,9 +26,12 @@ def junctions(seen: Seen, situation: Situation) -> Iterator[EventFact]:
     if not seen.moves or not seen.drives:
         return
     found: list[EventFact] = []
-    for junction, first, last in visits(seen, situation):
+    passed = visits(seen, situation)
+    rings = [visit for visit in passed if _in_ring(situation, visit[0])]
+    found += [fact(turn, situation, step) for turn, step in _round(seen, situation, rings)]
+    for junction, first, last in passed:
         turn = passage(seen, situation, junction, first, last)
-        if turn:
+        if turn and (junction, first, last) not in rings:
             found.append(fact(turn, situation, first))
         if first and seen.speed[first] > definitions()["run_red"].speed and seen.forward[first] > 0:
             road = _approach(seen, situation, first)
@@ -52,10 +56,16 @@ def is_intersection(situation: Situation, junction: str | None) -> bool:
     return crossing is None or any(m.type is not ManeuverType.STRAIGHT for m in crossing.maneuvers)
 
 
+def beside(seen: Seen, situation: Situation) -> dict[int, str | None]:
+    """The junction beside whose ways one who rides on no lane is, at each such step."""
+    off = np.flatnonzero(seen.lanes == NOWHERE) if seen.moves and seen.drives else np.zeros(0, int)
+    return dict(zip(off.tolist(), situation.index.junctions_around(seen.xy[off]), strict=True))
+
+
 def visits(seen: Seen, situation: Situation) -> list[tuple[str, int, int]]:
     """(junction, first step, last step) of each time that it is within an intersection."""
-    lanes = situation.index.lanes
-    inside = [lanes[lane].junction if lane != NOWHERE else None for lane in seen.lanes.tolist()]
+    lanes, around = situation.index.lanes, beside(seen, situation)
+    inside = [lanes[lane].junction if lane != NOWHERE else around[k] for k, lane in enumerate(seen.lanes.tolist())]
     found: list[tuple[str, int, int]] = []
     for step, junction in enumerate(inside):
         if junction is None:
@@ -65,6 +75,62 @@ def visits(seen: Seen, situation: Situation) -> list[tuple[str, int, int]]:
         else:
             found.append((junction, step, step))
     return [visit for visit in found if is_intersection(situation, visit[0])]
+
+
+def _in_ring(situation: Situation, junction: str) -> bool:
+    """Whether a junction is one of those of a roundabout."""
+    extras = situation.extras
+    known = extras is not None and junction.isdigit() and extras.junctions.get(int(junction))
+    return bool(known and known.kind == "roundabout")
+
+
+def _round(seen: Seen, situation: Situation, rings: list[tuple[str, int, int]]) -> Iterator[tuple[str, int]]:
+    """(event, step) of its ways through roundabouts, each taken as one junction: by the direction in which it leaves,
+    at the step at which it comes in; of one that is in the ring at the start by whether it leaves it."""
+    if not rings or situation.extras is None:
+        return
+    ring, lanes = _ring_roads(situation.extras), situation.index.lanes
+    ends = {n: road for name in {r[0] for r in rings} for n, road in _ends(situation.index, name).items()}
+    inside: list[bool] = []
+    for lane in seen.lanes.tolist():  # who is off the lanes is where it was; a way out of the ring is outside
+        there = lane != NOWHERE and int(ends.get(lane, lanes[lane].road)) in ring
+        inside.append(there if lane != NOWHERE or not inside else inside[-1])
+    entered: int | None = None
+    for step in (k for k in range(1, len(inside)) if inside[k] != inside[k - 1]):
+        if inside[step]:
+            entered = step
+            continue
+        lane = int(seen.lanes[step])
+        heading = float(lanes[lane].headings[-1]) if lane in ends else float(seen.heading[step])
+        if entered is None:
+            yield "turn_right", step
+        elif not any(inside[step : step + 10]):
+            turned = float(np.unwrap(seen.heading[entered : step + 1])[-1] - seen.heading[entered])
+            yield _direction(turned + float(wrap(heading - seen.heading[step]))), entered
+    if all(inside):
+        yield from (("go_straight", first) for _, first, last in rings if last + 1 < len(inside))
+
+
+def _ring_roads(extras: MapExtras) -> set[int]:
+    """The one-way roads that lead from one junction of a roundabout to the next."""
+    known = [j for j in extras.junctions.values() if j.kind == "roundabout"]
+    return {r for a in known for b in known if a is not b for r in set(a.outgoing) & set(b.incoming) - set(a.incoming)}
+
+
+@lru_cache(maxsize=64)
+def _ends(index, junction: str) -> dict[int, str]:  # type: ignore[no-untyped-def]
+    """The roads to which the ways of a junction lead."""
+    ways = index.junctions[junction].maneuvers if junction in index.junctions else ()
+    return {index.number[m.connectingLane.uid]: str(m.endLane.road.id) for m in ways if m.connectingLane is not None}
+
+
+def _direction(turned: float) -> str:
+    """The event of one whose heading has changed by so much (rad, to the left) over a junction."""
+    if abs(turned) >= np.radians(150):
+        return "u_turn"
+    if abs(turned) >= np.radians(definitions()["turn_left"].turn):
+        return "turn_left" if turned > 0 else "turn_right"
+    return "go_straight"
 
 
 def passage(seen: Seen, situation: Situation, junction: str, first: int, last: int) -> str | None:
@@ -82,12 +148,8 @@ def passage(seen: Seen, situation: Situation, junction: str, first: int, last: i
         fits = abs(float(wrap(seen.heading[steps[-1]] - info.heading_at(float(progress[-1]))))) < np.radians(50)
         if lane in ways and fits and not straying:
             return TURNS.get(ways[lane]) if onward >= limits.half else None
-    turned = float(np.unwrap(seen.heading[first : last + 1])[-1] - seen.heading[first])
-    if abs(turned) >= np.radians(150):
-        return "u_turn"
-    if abs(turned) >= np.radians(limits.turn):
-        return "turn_left" if turned > 0 else "turn_right"
-    return "go_straight" if last < seen.until else None
+    turn = _direction(float(np.unwrap(seen.heading[first : last + 1])[-1] - seen.heading[first]))
+    return turn if turn != "go_straight" or last < seen.until else None
 
 
 def _maneuvers(situation: Situation, junction: str) -> dict[int, ManeuverType]:

@@ -14,6 +14,8 @@ FOLLOWED = 4.3
 """s for which one follows before the other does something, so that it plainly follows until the other is gone."""
 MERGES = 30.0
 """m before the end of the acceleration lane by which one begins to change lanes."""
+SETTLES = 0.5
+"""s after a change of lane by which one is in the other."""
 CLEAR = 0.6
 """s between being out of the lane and being where somebody stands in it."""
 TIGHT = 0.8
@@ -35,7 +37,40 @@ def with_phase(structure: Structure, cid: str, i: int, **changes: object) -> Str
 def begins(structure: Structure, cid: str) -> float:
     """s for which everybody drives on before what one does, nobody says when."""
     followed = any(p.action == "follow" and p.target == cid for p in getattr(structure.ego.spec, "phases", ()))
-    return FOLLOWED if followed else UNDISTURBED
+    return max(FOLLOWED if followed else UNDISTURBED, awaited(structure, cid))
+
+
+def awaited(structure: Structure, cid: str) -> float:
+    """s that one who waits for what another does takes for what it does itself before; 0: nobody does."""
+    found = [0.0]
+    for component in structure.objects:
+        spec = component.spec
+        assert isinstance(spec, ObjectSpec)
+        for i, phase in enumerate(spec.phases):
+            t = phase.trigger
+            if i and t is not None and t.kind == "action" and (t.of or "ego") == ("ego" if cid == "E" else cid):
+                moves = [p for p in spec.phases[:i] if p.action in LATERAL]
+                own = sum(sideways(LANE_WIDTH, shift_of(p)) + SETTLES for p in moves)
+                found.append(UNDISTURBED + own if moves else 0.0)
+    return round(max(found), 1)
+
+
+def level_then(structure: Structure) -> Structure:
+    """With those who come up in the next lane, nobody says from how far behind, level with ego by when that does what
+    they wait for."""
+    ego, place = structure.ego.spec, structure.place.spec
+    assert isinstance(ego, EgoSpec) and isinstance(place, PlaceSpec)
+    seconds, own = awaited(structure, "E"), middle(speed_of(ego, place))
+    for component in structure.objects:
+        spec = component.spec
+        assert isinstance(spec, ObjectSpec)
+        at, waits = spec.placement, any(p.trigger and p.trigger.of == "ego" for p in spec.phases[1:])
+        closing = middle(speed_of(spec, place)) - own
+        beside = at.position in ("left_lane", "right_lane") and at.along == "behind" and at.of == "ego"
+        if seconds and waits and beside and at.gap is None and closing > 0:
+            gap = round(closing * seconds, 1)
+            structure = structure.with_spec(component.id, placement=at.model_copy(update={"gap": gap}))
+    return structure
 
 
 def clear_ahead(structure: Structure) -> Structure:

@@ -79,9 +79,23 @@ def _placed(component: Component, spec: ObjectSpec, ego: EgoSpec, aside: float) 
     return component.model_copy(update={"spec": spec.model_copy(update=changes)})
 
 
-def other_ways(structure: Structure, place: PlaceSpec) -> tuple[str, ...]:
-    """The manoeuvre types, other than ego's, by which those beside ego leave its lane."""
+def other_ways(structure: Structure, place: PlaceSpec, lane_of: dict[str, int | None]) -> tuple[str, ...]:
+    """The manoeuvre types, other than ego's, by which those beside ego, or who are in its lane by then, leave that."""
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
-    specs = [c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)]
-    return tuple(sorted({turn_of(s.phases) for s in specs if offset(s, ego, place)}))
+    found = set()
+    for component in structure.objects:
+        spec, lane = component.spec, lane_of.get(component.id)
+        assert isinstance(spec, ObjectSpec)
+        steps = {"right": -1, "left": 1, None: 1}
+        for phase in spec.phases if lane is not None else ():
+            if phase.action in ("lane_change", "cut_out"):
+                lane += steps[phase.side]
+            lane = 0 if phase.action == "cut_in" else lane
+        own = place.kind == "intersection" and lane == 0 and any(p.action in TURN for p in spec.phases)
+        if own or offset(spec, ego, place):
+            found.add(turn_of(spec.phases))
+    return tuple(sorted(found - {EGO_TURN.get(place.manoeuvre or "", "")}))
+
+
+EGO_TURN = {"left": "LEFT_TURN", "right": "RIGHT_TURN", "straight": "STRAIGHT", "u_turn": "U_TURN"}

@@ -2,7 +2,7 @@
 
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase, SettingsSpec, Trigger
-from c2s_engine.write.typed import lights, scope
+from c2s_engine.write.typed import ahead, lights, scope
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.overtakings import nearest
@@ -57,7 +57,8 @@ def body(actor: Actor) -> list[str]:
         if last or (not final.startswith("do Drive") and not until):
             out.append(final)
         else:
-            out.append(f"{final} {until or 'for 3 seconds'}")
+            first = ahead.awaited(actor.structure, actor.cid) if i == 0 else 0.0
+            out.append(f"{final} {until or f'for {scope.number(first or 3)} seconds'}")
     return out
 
 

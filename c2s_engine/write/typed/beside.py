@@ -32,7 +32,9 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
         clear = scope.number(stations.clear_of(structure, spec))
         line = f"{at} = {position_constant(structure, of)} + {clear}"
     elif sign == 0:
+        away = stations.from_hider(structure, of)
         line = f"{at} = {position_constant(structure, stations.base(structure, of, plan))}"
+        line += f" + {scope.number(away)}" if away else ""
     else:
         line = measured(structure, cid, spec, plan, sign)
     along = member(spec, at, sign or 1)

@@ -10,8 +10,8 @@ from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import outwards
-from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, is_static
-from c2s_engine.write.typed.usual import rides_beside, speed_of
+from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, TURN, is_static
+from c2s_engine.write.typed.usual import rides_beside, speed_of, turn_of
 
 RIDER = 2.5
 """m/s2 by which a cyclist's speed changes, where nothing says how."""
@@ -142,8 +142,17 @@ class Course:
             if self.lane + step not in plan.offsets and self.lane - step in plan.offsets:
                 step = -step
             self.lane += step
-        leaving = ", place.turn" if plan.place.kind == "off_ramp" and self.lane == -1 and self.actor.is_ego else ""
-        return f"line = way({LANE_NAME[self.lane]}{leaving})"
+        return self.along_lane()
+
+    def along_lane(self) -> str:
+        """The statement that makes its lane the line to follow, and what it does at the junction or exit ahead."""
+        plan, phases = self.actor.plan, self.actor.spec.phases
+        turn = ""
+        if plan.place.kind == "off_ramp" and self.lane == -1 and self.actor.is_ego:
+            turn = ", place.turn"
+        elif plan.junction and any(p.action in TURN for p in phases):
+            turn = ", place.turn" if self.actor.is_ego and self.lane == 0 else f", {turn_of(phases)}"
+        return f"line = way({LANE_NAME[self.lane or 0]}{'' if turn == ', STRAIGHT' else turn})"
 
     # How it stands to others.
 

@@ -100,7 +100,7 @@ def _changes(structure: Structure, plan: Plan, settings: SettingsSpec) -> list[s
 
 
 def _set(structure: Structure, state: str) -> list[str]:
-    value = {"flashing": f"'yellow' if clock() % 1 < 0.5 else 'off'", "dark": "'off'"}.get(state, f"'{state}'")
+    value = {"flashing": "'yellow' if clock() % 1 < 0.5 else 'off'", "dark": "'off'"}.get(state, f"'{state}'")
     if state not in FOR_ALL:
         return [f"        setClosestTrafficLightStatus(ego, {value})"]
     cars = [scope.reference(structure, c.id) for c in structure.objects if _drives(c.spec)]

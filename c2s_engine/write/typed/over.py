@@ -53,7 +53,7 @@ def _of_ego(structure: Structure, plan: Plan, ego: EgoSpec) -> list[str] | None:
     if last is None and held and not any(p.action in TURN for p in ego.phases):
         return ["ego.speed < 0.3"]
     if last is None or last.action in TURN and last.action != "u_turn":
-        return onward
+        return ["left_ring(ego)"] if last and plan.place.kind == "roundabout" else onward
     if last.action in STANDS:
         return ["ego.speed < 0.3"]
     if last.action == "lane_change" and not plan.junction and not last.abandoned:
@@ -85,6 +85,9 @@ def _of_object(structure: Structure, plan: Plan, cid: str, o: ObjectSpec) -> lis
     if last is None:
         return []
     if o.placement.position in APPROACH_ANGLE and last.action in TURN:
+        if plan.place.kind == "roundabout":
+            stays = o.placement.position == "circulating" and last.action == "go_straight"
+            return Unknown if stays else [f"left_ring({one})"]
         return [f"{one}._intersection is not None"]
     if last.action in STANDS:
         return [f"{one}.speed < 0.3"]

@@ -37,8 +37,9 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
     changes = home is not None and not c.oncoming_both(p) and not _by_offset(c, p)
     aside = ""
     if changes:
-        line, back = c.onto(step), f"line = way({LANE_NAME[home]})"  # type: ignore[index]
+        line = c.onto(step)
         c.lane = home
+        back = c.along_lane()
         out, home_again = [line, c.drive(c.speed)], [back, c.drive(c.speed)]
     else:
         inside = INSIDE if c.actor.spec.type in NARROW else sideways(c.other(p.target))

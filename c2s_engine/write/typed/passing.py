@@ -44,6 +44,7 @@ class Overtaking:
     other: float
     bodies: float
     begins: float
+    one_lane: bool = True
 
     @property
     def closing(self) -> float:
@@ -109,7 +110,7 @@ def sideways(whom: ObjectSpec | EgoSpec | None) -> float:
 
 
 def overtakings(structure: Structure, place: PlaceSpec) -> Iterator[Overtaking]:
-    """Who overtakes whom in one lane, first of all that it does, both driving and each told how fast."""
+    """Who overtakes whom in one direction, first of all that it does, both driving and each told how fast."""
     objects = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
     for component in (structure.ego, *structure.objects):
         spec = component.spec
@@ -124,14 +125,16 @@ def overtakings(structure: Structure, place: PlaceSpec) -> Iterator[Overtaking]:
             continue
         if isinstance(other, ObjectSpec) and (is_static(other) or leaves_lane(other)):
             continue
-        if _row(component.id, objects) != _row(whom, objects):
+        rows = _row(component.id, objects), _row(whom, objects)
+        if rows[0] != rows[1] and not all(isinstance(row, int) for row in rows):
             continue
         begins = UNDISTURBED
         if phase.trigger is not None and phase.trigger.kind == "time" and phase.trigger.value is not None:
             begins = middle(phase.trigger.value)
         start, slow = middle(speed_of(spec, place)), middle(speed_of(other, place))
         speed = middle(phase.speed) if phase.speed is not None else max(start, slow + faster(other))
-        yield Overtaking(component.id, whom, phase, start, speed, slow, LENGTH[spec.type] + LENGTH[other.type], begins)
+        bodies = LENGTH[spec.type] + LENGTH[other.type]
+        yield Overtaking(component.id, whom, phase, start, speed, slow, bodies, begins, rows[0] == rows[1])
 
 
 def passing(structure: Structure, place: PlaceSpec) -> Structure:
@@ -141,7 +144,7 @@ def passing(structure: Structure, place: PlaceSpec) -> Structure:
     for one in overtakings(structure, place):
         structure = _slower(structure, place, one)
     for one in overtakings(structure, place):
-        structure = _apart(structure, one)
+        structure = _apart(structure, one) if one.one_lane else structure
     return structure
 
 

@@ -171,8 +171,8 @@ def _way_over(plan: Plan, lane: str, turn: str) -> str:
     """The way from an approach over the junction; into a roundabout one turns right, and leaves it by its bearing."""
     if plan.place.kind != "roundabout":
         return f"way({lane})" if turn == "STRAIGHT" else f"way({lane}, {turn})"
-    if lane == APPROACH_NAME["circulating"]:  # past ego's entry, and on in the ring
-        return f"way({lane}, LEFT_TURN, 90 deg)"
+    if lane == APPROACH_NAME["circulating"]:  # past ego's entry and on in the ring, or out of it right before that
+        return f"way({lane}, RIGHT_TURN)" if turn == "RIGHT_TURN" else f"way({lane}, LEFT_TURN, 90 deg)"
     bearing = {"LEFT_TURN": ", 90 deg", "RIGHT_TURN": ", -90 deg"}.get(turn, "")
     return f"way({lane}, RIGHT_TURN{bearing})"
 

@@ -21,6 +21,8 @@ from c2s_engine.write.typed.usual import speed_of, turn_of, uses_crosswalk
 
 BEFORE_CHANGE = 3.0
 """s that ego drives before the light changes."""
+USUAL, LONG = 20.0, 45.0
+"""s after which a run ends at the latest; the same round a roundabout and over an acceleration lane."""
 FAST = 11.5
 """m/s at which nobody comes up to a stop sign of their own."""
 
@@ -63,7 +65,8 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     passed = pocketed(objects, place)
     ways = {cid: (o.placement.position, turn_of(o.phases)) for cid, o in crossing.items()}
     speed, top = middle(speed_of(ego, place)), high(speed_of(ego, place))
-    duration = getattr(restrictions, "duration", None) or 20.0
+    far = place.kind == "roundabout" or rooms.to_merge_end(ego, objects)
+    duration = getattr(restrictions, "duration", None) or (LONG if far else USUAL)
     kind = place.model_copy(update={"kind": "on_ramp"}) if ramp else place
     met = frozenset(cid for cid, o in crossing.items() if hits_ego(o) or is_hit(ego, cid))
     set_out = frozenset(cid for cid in met if _sets_out(objects[cid]))
@@ -90,7 +93,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         set_out=set_out,
         leads=lanes.leads(ego, objects, lane_of, speed, place),
         parked=any(o.placement.position == "parked" for o in objects.values()),
-        also=alongside.other_ways(structure, place),
+        also=alongside.other_ways(structure, place, lane_of),
         across=room < rooms.SHORTEST,
     )
     return _with_room(structure, plan)

@@ -12,6 +12,8 @@ WAITS = {"stop", "wait", "stationary"}
 STAYS_BEHIND = {*WAITS, "follow", "brake", "yield"}
 """What one does, first of all, that comes up behind others."""
 
+NEXT_TO = {"left_lane", "right_lane", "beside"}
+
 
 def pocketed(objects: Mapping[str, ObjectSpec], place: PlaceSpec) -> dict[str, str]:
     """The ids of those who wait on an approach, each with who drives past it on that approach; into a roundabout
@@ -27,17 +29,17 @@ def pocketed(objects: Mapping[str, ObjectSpec], place: PlaceSpec) -> dict[str, s
 
 
 def own_ways(structure: Structure) -> Structure:
-    """S where those who come from behind one that waits on an approach, and go past it, come by that approach
-    themselves."""
+    """S where those who come from behind one that waits on an approach, or drive in the lane next to it, and go past it,
+    come by that approach themselves."""
     objects = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
     if getattr(structure.place.spec, "kind", "") == "roundabout":
         return structure
     for component in structure.objects:
         spec = objects.get(component.id)
         first = objects.get(spec.placement.of) if spec else None
-        if spec is None or first is None or spec.placement.position != "behind":
+        if spec is None or first is None or not _waits(first) or is_static(spec):
             continue
-        if not _waits(first) or not _passes(spec):
+        if spec.placement.position not in NEXT_TO and not (spec.placement.position == "behind" and _passes(spec)):
             continue
         changes = {"position": first.placement.position, "of": "ego", "gap": None, "along": None}
         phases = tuple(p for p in spec.phases if p.action not in ("overtake", "follow"))

@@ -10,6 +10,8 @@ from c2s_engine.write.typed.lanes import all_phases
 from c2s_engine.write.typed.tables import JUNCTION, LENGTH, RAMP, TURN, is_static, is_vehicle
 from c2s_engine.write.typed.usual import at_corner, default_gap, row_length, speed_of
 
+MERGES_SOON = 40.0
+"""m before a ramp's end from which ego drives along the whole acceleration lane."""
 LONGEST_APPROACH = 200.0
 """m of lane before a junction that maps can be expected to have."""
 AT_THE_EDGE = 10.5
@@ -117,8 +119,14 @@ def distance(
         *(_to_pass(o, speed, place) for o in objects.values()),
         *(_to_overtake(cid, o, ego, speed, place) for cid, o in objects.items()),
     )
-    base = max(base, 60.0) if place.kind in RAMP else base
+    if place.kind in RAMP:  # the whole acceleration lane comes first where something is to happen at its end
+        base = MERGES_SOON if to_merge_end(ego, objects) else max(base, 60.0)
     return round(max(base * max(room, SHORTEST), far + 4), 1)
+
+
+def to_merge_end(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> bool:
+    """Whether somebody does something at the end of the acceleration lane."""
+    return any(p.trigger is not None and p.trigger.place == "merge_end" for p in all_phases(ego, objects))
 
 
 def _to_pass(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:

@@ -137,7 +137,18 @@ def from_base(
         parent = structure[of].spec
         assert isinstance(parent, ObjectSpec)
         half += row_beyond(parent, sign > 0)
-    return start, own, half
+    return start, own, half + sign * from_hider(structure, of)
+
+
+def from_hider(structure: Structure, of: str) -> float:
+    """How far ahead along the road one stands of the first of those that hide it; 0: it does not stand by them."""
+    spec = structure[of].spec if of not in ("ego", "E") else None
+    if not isinstance(spec, ObjectSpec) or not right_behind(spec):
+        return 0.0
+    by = structure[spec.placement.hidden_by or "ego"].spec
+    assert isinstance(by, ObjectSpec)
+    away = (LENGTH[by.type] + LENGTH[spec.type]) / 2 + RIGHT_BEHIND
+    return away + (by.count - 1) * row_step(by)
 
 
 def from_door(structure: Structure, spec: ObjectSpec) -> float:

@@ -17,7 +17,7 @@ from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_there, swerves_by
 from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.people import BACKS_OUT, PULLS_OUT
-from c2s_engine.write.typed.tables import LANE_NAME, LANE_WIDTH, MOVES_OFF_ROAD, RAMP
+from c2s_engine.write.typed.tables import LANE_WIDTH, MOVES_OFF_ROAD, RAMP
 from c2s_engine.write.typed.threats import every
 from c2s_engine.write.typed.towards import ending, yields
 from c2s_engine.write.typed.usual import SETS_OUT, reach
@@ -190,7 +190,7 @@ def _cut_in(c: Course, p: Phase) -> list[Step]:
     shift = middle(p.lateral_speed) if p.lateral_speed is not None else None
     drive = c.drive(c.set(c.wanted(p, c.actor.value or _moving(c))), shift=shift)
     over = HITS_SOON if hit_next(c, p) else _until_over(p)
-    return [([f"line = way({LANE_NAME[c.lane]})", drive], ending(p, over))]
+    return [([c.along_lane(), drive], ending(p, over))]
 
 
 def _until_over(p: Phase) -> str:

@@ -36,6 +36,8 @@ def yields(c: Course, p: Phase) -> list[Step]:
     stop = c.drive(f"lambda: up_to(to_line(self, {lane}), {c.speed})", 5)
     first = its_turn(c.actor, p.target)
     gone = f"passed({other}, self)" + (f" and {first}" if first else "")
+    if c.actor.plan.place.kind == "roundabout" and not first:
+        gone += f" or left_ring({other})"
     up = [] if _waits_there(c, p) else [([c.drive()], near)]
     return [*up, ([stop], f"until {gone}"), go]
 

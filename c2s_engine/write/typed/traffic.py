@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
-from c2s_engine.write.typed.ahead import LEAST, TIGHT, begins, clear_ahead, phases_of, revealing, with_phase
+from c2s_engine.write.typed.ahead import LEAST, TIGHT, begins, clear_ahead, level_then, phases_of, revealing, with_phase
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.lateral import LATERAL, to_line
 from c2s_engine.write.typed.tables import LENGTH, is_static, is_vehicle
@@ -28,7 +28,7 @@ PLAIN = {*CALM, *LATERAL, "brake", "stop", "swerve", "drift"}
 def solved(structure: Structure) -> Structure:
     """S with the speeds, gaps and starts that are open and follow from those that are said; raises ResolveError where
     they do not go together."""
-    structure = clear_ahead(_at_pace(structure))
+    structure = level_then(clear_ahead(_at_pace(structure)))
     for cid in ("E", *(c.id for c in structure.objects)):
         for i, phase in enumerate(phases_of(structure, cid)):
             if any(p.action not in CALM for p in phases_of(structure, cid)[:i]):

@@ -29,6 +29,8 @@ CAN_STOP = 10
 """Twice the m/s2 at which one stops for a light that changes."""
 TOO_LATE = 1.5
 """s before the contact at which one brakes who then hits another."""
+TO_END = 6.0
+"""m before the end of an acceleration lane at which the middle of one is who stops there."""
 FORCED = {"brake", "stop", "swerve", "lane_change"}
 DELAYED = {
     "brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road",
@@ -155,6 +157,9 @@ def _before(course: Course, cid: str | None) -> str:
 def _before_junction(course: Course, value: float, phase: Phase) -> str:
     if phase.trigger is not None and phase.trigger.place == "merge_end":
         there, metres = "place.acceleration_lane", scope.number(max(value, ahead.MERGES))
+        if phase.action in ("stop", "brake"):  # as far before it as that takes
+            rate = middle(phase.rate) if phase.rate else 3.5 if phase.action == "stop" else 3.0
+            metres = f"{scope.number(value + TO_END)} + self.speed ** 2 / {scope.number(2 * rate)}"
         return f"until self._lane is {there} and (distance from self to {there}.centerline[-1]) < {metres}"
     lane = course.actor.to_junction
     if lane is None:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from c2s_engine.structure.components import ComponentId, Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.spread import spread
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, is_static
@@ -37,7 +38,8 @@ def usual_values(structure: Structure, room: float) -> Usual:
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
         speeds[component.id] = 0.0 if is_static(spec) else middle(speed_of(spec, plan.place))
-        meets = spec.placement.position in TIMED and spec.placement.gap is None or crosses(spec)
+        timed = spec.placement.position in TIMED or offset(spec, ego, plan.place)
+        meets = timed and spec.placement.gap is None or crosses(spec)
         if meets and not any(p.trigger for p in spec.phases[:1]):
             later[component.id] = middle(spec.placement.later or 0.0)
         if spec.placement.position not in TIMED:

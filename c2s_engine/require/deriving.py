@@ -1,11 +1,11 @@
 """S to requirements: the parts in the order in which they are told."""
 
-from c2s_engine.require import actors, conflict, manoeuvres, natural, outcome, pace, phases, road, rules, starts
+from c2s_engine.require import actors, conflict, limits, manoeuvres, natural, outcome, pace, phases, road, rules, starts
 from c2s_engine.require.scene import Scene
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.requirements import Requirement
 
-PARTS = (road, actors, starts, phases, manoeuvres, outcome, conflict, natural, rules, pace)
+PARTS = (road, actors, starts, phases, manoeuvres, outcome, conflict, natural, rules, limits, pace)
 """Phases come before what reads their moments."""
 
 

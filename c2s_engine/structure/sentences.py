@@ -9,7 +9,7 @@ import yaml
 
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import Quantity, high, low
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, RestrictionsSpec, SettingsSpec
+from c2s_engine.structure.specs import EgoSpec, Limit, ObjectSpec, Phase, PlaceSpec, RestrictionsSpec, SettingsSpec
 
 
 @cache
@@ -177,9 +177,22 @@ def settings(spec: SettingsSpec) -> str:
     return text + "."
 
 
+def limit(spec: Limit, names: dict[str, str] | None = None) -> str:
+    """What a run must keep to all along, without its full stop."""
+    known = _names(names)
+    shown = km_h if spec.kind == "speed" else "{:g}".format
+    bounds = [f"at least {shown(spec.minimum)}"] if spec.minimum is not None else []
+    bounds += [f"at most {shown(spec.maximum)}"] if spec.maximum is not None else []
+    other = _named(spec.other, known) if spec.other else "anybody"
+    words = _words()["limits"][spec.kind].format(bounds=" and ".join(bounds), other=other)
+    subject = _named(spec.subject, known)
+    return f"{subject[0].upper()}{subject[1:]} {words}"
+
+
 def restrictions(spec: RestrictionsSpec, names: dict[str, str] | None = None) -> str:
-    """The sentence on the run's end."""
+    """The sentences on what holds all along, and on the run's end."""
     words, known = _words()["ends"], _names(names)
+    kept = [f"{limit(one, names)}." for one in spec.limits]
     ends = []
     for c in spec.terminate_when:
         other = _named(c.other, known) if c.other else "the other"
@@ -188,7 +201,8 @@ def restrictions(spec: RestrictionsSpec, names: dict[str, str] | None = None) ->
         ends.append(words[c.kind].format(**values, action=action))
     if spec.duration:
         ends.append(words["time"].format(minimum=f"{spec.duration:g}"))
-    return f"The run ends {' or '.join(ends)}." if ends else "No restriction beyond the scene itself."
+    kept += [f"The run ends {' or '.join(ends)}."] if ends else []
+    return " ".join(kept) or "No restriction beyond the scene itself."
 
 
 def described(structure: Structure) -> Structure:

@@ -48,4 +48,8 @@ TimeOfDay = Literal["day", "dawn", "dusk", "night"]
 LightState = Literal["red", "yellow", "green"]
 ConditionKind = Literal["distance", "visible", "not_visible", "time", "travelled", "collision", "stopped", "action"]
 
+LimitKind = Literal[
+    "speed", "acceleration", "deceleration", "lateral_acceleration", "jerk", "gap", "ttc", "collision",
+]  # fmt: skip
+
 Origin = Literal["rendered", "generated", "by_hand", "imported"]

@@ -1,6 +1,7 @@
 """What in the text each field of S rests on."""
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.composing.run_limits import limits_of
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
@@ -28,7 +29,8 @@ def linked(scene: Scene, structure: Structure) -> Structure:
     named = PlaceSpec.model_fields
     place = [_link(scene, s, name if name in named else "") for name, s in scene.road.spans.items()]
     structure = _with(structure, "R", place)
-    return _with(structure, "T", [_link(scene, s, "terminate_when") for s in scene.endings])
+    bounds = [_link(scene, told.span, f"limits.{i}") for i, (told, _) in enumerate(limits_of(scene, scene.ids))]
+    return _with(structure, "T", bounds + [_link(scene, s, "terminate_when") for s in scene.endings])
 
 
 def owners(scene: Scene, structure: Structure) -> dict[Entity, str]:

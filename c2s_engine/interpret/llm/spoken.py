@@ -47,7 +47,7 @@ def sentence(cid: ComponentId, spec: AnySpec, structure: Structure) -> str:
     elif isinstance(spec, PlaceSpec):
         made, more = describe.place(spec), [*_around(spec)]
     elif isinstance(spec, RestrictionsSpec):
-        made = describe.restrictions(spec, names) if spec.terminate_when or spec.duration else ""
+        made = describe.restrictions(spec, names) if spec.limits or spec.terminate_when or spec.duration else ""
         held = [_condition(c, names) for c in spec.require]
         return " ".join(s for s in (f"At the start {' and '.join(held)}." if held else "", made) if s)
     else:

@@ -11,7 +11,16 @@ from c2s_engine.require.deriving import PARTS
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.facts import ContactFact, Mark, Stay
 from c2s_engine.structure.requirements import Run, failures, tally
-from c2s_engine.structure.specs import EgoSpec, Limit, ObjectSpec, Phase, Placement, PlaceSpec, RestrictionsSpec, Trigger
+from c2s_engine.structure.specs import (
+    EgoSpec,
+    Limit,
+    ObjectSpec,
+    Phase,
+    Placement,
+    PlaceSpec,
+    RestrictionsSpec,
+    Trigger,
+)
 
 LINE = Mark(kind="line", start=60.0, end=60.0, name="1/1", control="signal")
 HIT = ContactFact(time=4.0, one="ego", other="other", part_one="front", part_other="rear")

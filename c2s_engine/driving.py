@@ -9,6 +9,7 @@ import hashlib
 import io
 import re
 import tokenize
+from collections.abc import Iterator
 from pathlib import Path
 
 from c2s_engine import paths
@@ -18,6 +19,13 @@ FILE = f"{MODULE}.scenic"
 IMPORT = f"from {MODULE} import *"
 _IMPORTS = re.compile(rf"^from {MODULE} import [^\n]*\n", re.MULTILINE)
 _DEFINES = re.compile(r"^(?:def|behavior|monitor|class) (\w+)|^(\w+) = ")
+
+
+class BrokenLibrary(ValueError):
+    """The library that is installed is no Scenic; the message says where."""
+
+    def __init__(self, line: int, why: str) -> None:
+        super().__init__(f"The driving library is broken: {path()}, line {line}: {why}. Install c2s anew, or mend it.")
 
 
 def path() -> Path:
@@ -46,7 +54,14 @@ def names() -> frozenset[str]:
 def constants() -> dict[str, list[str]]:
     """Its lists of blueprints, by name."""
     lists = [part.partition(" = ") for part in _parts() if re.match(r"[A-Z_]+ = \['", part)]
-    return {name: ast.literal_eval(value) for name, _, value in lists}
+    found = {}
+    for name, _, value in lists:
+        try:
+            found[name] = ast.literal_eval(value)
+        except (ValueError, SyntaxError):
+            line = text()[: text().index(f"{name} = ")].count("\n") + 1
+            raise BrokenLibrary(line, f"{name} is no list of names") from None
+    return found
 
 
 @functools.cache
@@ -91,7 +106,7 @@ def _parts() -> tuple[str, ...]:
     """The library's top-level statements but its docstring, each with its lines."""
     lines = text().splitlines(keepends=True)
     starts, depth, fresh = [], 0, True
-    for token in tokenize.generate_tokens(io.StringIO(text()).readline):
+    for token in _tokens(starts):
         if token.type in (tokenize.INDENT, tokenize.DEDENT):
             depth += 1 if token.type == tokenize.INDENT else -1
         elif token.type == tokenize.NEWLINE:
@@ -102,6 +117,16 @@ def _parts() -> tuple[str, ...]:
                 starts.append(token.start[0] - 1)
     cuts = zip(starts[1:], [*starts[2:], len(lines)], strict=True)
     return tuple(re.sub(r"\n#[^\n]*\n*\Z", "\n", "".join(lines[first:last]).rstrip() + "\n") for first, last in cuts)
+
+
+def _tokens(starts: list[int]) -> Iterator[tokenize.TokenInfo]:
+    """The library's tokens; `starts`: the rows (from 0) at which its statements begin, as far as they are known."""
+    try:
+        yield from tokenize.generate_tokens(io.StringIO(text()).readline)
+    except IndentationError as error:
+        raise BrokenLibrary(error.lineno or 1, "its indentation fits no block") from None
+    except tokenize.TokenError:
+        raise BrokenLibrary(starts[-1] + 1 if starts else 1, "a bracket or a string is never closed") from None
 
 
 def _names(part: str) -> list[str]:

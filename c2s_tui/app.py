@@ -29,6 +29,7 @@ class C2SApp(App[None]):
     CSS_PATH = "look/app.tcss"
     ENABLE_COMMAND_PALETTE = True
     HORIZONTAL_BREAKPOINTS = [(0, "-narrow"), (100, "-wide"), (180, "-roomy")]
+    VERTICAL_BREAKPOINTS = [(0, "-short"), (30, "-high")]
 
     def __init__(
         self,

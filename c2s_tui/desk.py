@@ -117,7 +117,9 @@ def step(desk: Desk, event: Progress) -> Desk:
     if isinstance(event, ProgramChanged):
         same = event.program.text == desk.program.text
         gone: dict[str, Any] = {} if same else {**dict.fromkeys((*MEASURED, "seeds"), ()), "gaps": {}, "planned": 0}
-        return replace(desk, program=event.program, rewritten=event.rewritten, **gone)
+        done = {*desk.rewritten, *event.rewritten}
+        rewritten = tuple(cid for cid in desk.structure.ids if cid in done)
+        return replace(desk, program=event.program, rewritten=rewritten, **gone)
     if isinstance(event, Usage):
         return replace(
             desk,

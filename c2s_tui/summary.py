@@ -9,8 +9,9 @@ MISSED = 6
 """Lines of what was not seen that a turn's closing line shows."""
 
 
-def summary(desk: Desk) -> tuple[str, str]:
-    """What was rewritten, how far it came, what was seen; and whether that is a note, a warning or an error."""
+def summary(desk: Desk, back: str = "") -> tuple[str, str]:
+    """What was rewritten (or `back`: where in the history a turn led), how far it came, what was seen; and whether that
+    is a note, a warning or an error."""
     if desk.stale and not desk.rewritten:
         return "", "note"
     new = [c for c in desk.structure.components if c.origin == "by_hand" and c.code.strip() not in desk.before]
@@ -20,7 +21,7 @@ def summary(desk: Desk) -> tuple[str, str]:
     written = [cid for cid in desk.rewritten if cid not in changed]
     kinds = ((own, "by hand"), (changed, "changed in your code"), (written, "written"))
     done = [f"{', '.join(ids)} {what}" for ids, what in kinds if ids]
-    parts = done or ["nothing rewritten"]
+    parts = [back] if back else done or ["nothing rewritten"]
     failed = next((s for s in desk.stages if not s.ok), None)
     hits = [f"{str(c)[0].upper()}{str(c)[1:]}." for c in desk.collisions]
     if failed is not None:

@@ -62,7 +62,7 @@ class Turns:
                 self.show()
                 await self.chat.end()
             if finished:
-                await self._summarise()
+                await self._summarise(label)
                 self.find_gaps()
                 self.offer_snippets(self.desk.structure)
         then, self.then = self.then, ""
@@ -83,12 +83,21 @@ class Turns:
             structure = apply(structure, edit)
         return structure
 
-    async def _summarise(self: Any) -> None:
+    async def _summarise(self: Any, label: str = "") -> None:
         from c2s_tui.summary import summary
 
-        text, kind = summary(self.desk)
+        text, kind = summary(self.desk, self._gone_back(label))
         if text:
             await self.chat.note(text, kind)
+
+    def _gone_back(self: Any, label: str) -> str:
+        """Where in the session's history a turn of that label led, in words; empty for one that did something new."""
+        if label == "undo":
+            return f"undone: {self.session.undone[0].text}"
+        if label in ("redo", "going back"):
+            here = self.session.history
+            return f"{'done again' if label == 'redo' else 'back to'}: {here[-1].text if here else 'the start'}"
+        return ""
 
     @staticmethod
     def _sentence(error: Exception) -> str:

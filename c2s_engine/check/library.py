@@ -44,7 +44,22 @@ def code(source: bytes, filename: str) -> Compiled:
 def load() -> None:
     """Have the code of all modules in memory."""
     for path in _sources():
+        if path != driving.path() or not fault():
+            code(path.read_bytes(), str(path))
+
+
+@functools.cache
+def fault() -> str:
+    """What is wrong with the driving library, with its file and line; empty where it compiles."""
+    from c2s_engine.check import diagnose
+
+    path = driving.path()
+    try:
         code(path.read_bytes(), str(path))
+    except Exception as error:
+        found = diagnose.diagnose(error, "parse", diagnose.Program(path.read_text(encoding="utf-8"), str(path)))
+        return str(driving.BrokenLibrary(found.line or 1, found.message))
+    return ""
 
 
 def ahead(begin: Callable[[], None]) -> int:

@@ -1,6 +1,7 @@
 """The memory of Scenic's parser (pegen), without what it does for a log that nobody asked for: a third of its time.
 
-What is parsed and remembered is the same: only the two decorators that keep each rule's result are replaced.
+What is parsed and remembered is the same: only the two decorators that keep each rule's result are replaced, and what
+makes an error of an error.
 """
 
 import functools
@@ -13,13 +14,20 @@ _PARTS = re.compile(r"memoize_(?:left_rec_)?wrapper")
 
 def install() -> None:
     """Replace the decorators of all rules of the parser."""
+    from pegen.tokenizer import Tokenizer
     from scenic.syntax import parser
 
+    Tokenizer.get_lines = _lines  # type: ignore[method-assign]
     for kind in parser.ScenicParser.__mro__:
         for name, rule in list(vars(kind).items()):
             found = _PARTS.fullmatch(getattr(rule, "__name__", ""))
             if found and hasattr(rule, "__wrapped__"):
                 setattr(kind, name, (_left_recursive if "left" in found[0] else _remembered)(rule.__wrapped__))
+
+
+def _lines(tokens: Any, numbers: list[int]) -> list[str]:
+    """The lines that an error is about. Those within a string of several lines pegen does not keep, and would fail."""
+    return [tokens._lines.get(n, "") for n in numbers]
 
 
 def _remembered(rule: Callable[..., Any]) -> Callable[..., Any]:

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from c2s_engine import driving
-from c2s_engine.check import beginnings, catalogue, diagnose, lint, pieces, safety, wire, world
+from c2s_engine.check import beginnings, catalogue, diagnose, library, lint, pieces, safety, wire, world
 from c2s_engine.check.beside import MODULES, Texts
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 
@@ -63,7 +63,7 @@ class Reader:
 
     def __post_init__(self) -> None:
         pieces.portable()
-        self.trusted = frozenset(part.text for part in pieces.cut(driving.text()))
+        self.trusted = frozenset() if library.fault() else frozenset(p.text for p in pieces.cut(driving.text()))
 
     def read(self, request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
         """The stages parse and safety of a request, and the code where they pass."""
@@ -80,6 +80,9 @@ class Reader:
         except Exception as error:
             stages.append(_stage("parse", started, (diagnose.diagnose(error, "parse", where),)))
             return {"stages": _dump(stages)}, b""
+        if driving.used_by(text) and driving.MODULE not in (request.get("modules") or {}) and library.fault():
+            broken = Diagnostic(stage="parse", code="library", message=library.fault())
+            return {"stages": _dump([_stage("parse", started, (broken,))])}, b""
         try:
             beside = self._beside(request.get("modules") or {})
         except BrokenModule as error:
@@ -209,8 +212,9 @@ def _unsafe(
 
 def _broken(error: Exception, name: str, file: str, text: str) -> Diagnostic:
     if name == driving.MODULE:
-        said = f"the {driving.FILE} beside the program cannot be parsed ({error}): delete it to use this version's own"
-        return Diagnostic(stage="parse", code="library", message=said)
+        found = diagnose.diagnose(error, "parse", diagnose.Program(text, file))
+        said = f"the {driving.FILE} beside the program, line {found.line or 1}: {found.message}"
+        return Diagnostic(stage="parse", code="library", message=said, fix="delete it to use this version's own")
     found = diagnose.diagnose(error, "parse", diagnose.Program(text, file))
     return Diagnostic(stage="parse", code=found.code, fix=found.fix,
                       message=f"{Path(file).name}, line {found.line or 1}: {found.message}")  # fmt: skip

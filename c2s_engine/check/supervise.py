@@ -195,6 +195,9 @@ async def places(pool: Pool, request: PlacesRequest) -> PlacesReport:
     if not Path(request.map).is_file():
         raise ValueError(f"there is no map file {request.map}")
     header, blob = await pool.read(job)
+    for stage in header["stages"]:
+        for found in (d for d in stage["diagnostics"] if d["severity"] == "error"):
+            raise ValueError(found["message"])
     if why := await pool.no_map(request.map):
         name = Path(request.map).name
         raise ValueError(why if name in why else f"Scenic cannot read the map {name}: {why}")

@@ -74,11 +74,13 @@ def generate(
 
 
 def exit_code(done: Finished) -> int:
-    """Done, refused, not a text to read, or stopped because a service (the model's) is not there."""
+    """Done, refused, not understood as a text or a change, or stopped because a service (the model's) is not there."""
     if any(d.code == "model-service" for d in done.diagnostics):
         return NO_SERVICE
     if any(d.stage == "interpret" and d.code == "text" for d in done.diagnostics):
         return BAD_INPUT
+    if done.details.get("turn") == "edit" and done.details.get("unchanged"):
+        return BAD_INPUT if done.ok else REFUSED
     return OK if done.ok else REFUSED
 
 

@@ -23,7 +23,7 @@ def structure(s: Structure, to: Console = out) -> None:
     for c in s.components:
         table.add_row(Text(c.id, style="bold"), Text(c.description or "-"))
         for a in c.assumed:
-            table.add_row("", Text(f"assumed {a.field} = {a.value}: {a.reason}", style="dim"))
+            table.add_row("", Text(f"assumed {a.called} = {a.value}: {a.reason}", style="dim"))
         for u in c.unmet:
             table.add_row("", Text(f'not expressible: "{u.text}": {u.reason}', style="yellow"))
     for u in s.not_understood:

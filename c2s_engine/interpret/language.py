@@ -7,6 +7,8 @@ from typing import Any
 
 import yaml
 
+from c2s_engine.structure.sentences import plurals
+
 
 @cache
 def table(name: str) -> Any:
@@ -24,42 +26,6 @@ def words(name: str) -> frozenset[str]:
 def with_plurals(name: str) -> frozenset[str]:
     """The nouns of a list of data/language/words.yaml in singular and plural."""
     return frozenset(form for noun in words(name) for form in (noun, *plurals(noun)))
-
-
-def plurals(noun: str) -> list[str]:
-    """The plural forms of a noun phrase, by rule (its last word takes the ending)."""
-    head, _, last = noun.rpartition(" ")
-    lead = f"{head} " if head else ""
-    if last in IRREGULAR:
-        return [lead + IRREGULAR[last]]
-    if re.search(r"(s|x|z|ch|sh)$", last):
-        return [f"{lead}{last}es"]
-    if re.search(r"[^aeiou]y$", last):
-        return [f"{lead}{last[:-1]}ies"]
-    if last.endswith("man"):
-        return [f"{lead}{last[:-3]}men"]
-    if last.endswith("child"):
-        return [f"{lead}{last}ren"]
-    if last.endswith("lf"):
-        return [f"{lead}{last[:-1]}ves"]
-    return [f"{lead}{last}s"]
-
-
-IRREGULAR = {
-    "person": "persons",
-    "child": "children",
-    "deer": "deer",
-    "sheep": "sheep",
-    "moose": "moose",
-    "cattle": "cattle",
-    "debris": "debris",
-    "people": "people",
-    "bus": "buses",
-    "goose": "geese",
-    "works": "works",
-    "wildlife": "wildlife",
-    "traffic": "traffic",
-}
 
 
 def alternatives(words: list[str]) -> str:

@@ -16,6 +16,7 @@ from c2s_engine.interpret.what.foot_crossings import on_foot
 from c2s_engine.interpret.what.headlines import story_first
 from c2s_engine.interpret.what.indicated import indicated
 from c2s_engine.interpret.what.left_untold import left_untold
+from c2s_engine.interpret.what.limits_told import limits_told
 from c2s_engine.interpret.what.onwards import same_side, turns_by_name
 from c2s_engine.interpret.what.passing import came_up_behind
 from c2s_engine.interpret.what.passives import unnamed_doers
@@ -85,11 +86,12 @@ def understand(text: str) -> Scene:
     on_foot(plain, road, clauses)
     rules_of_sense(cast, clauses, road)
     left_untold(cast, clauses)
+    limits = limits_told(plain, sentences, quantities, cast, clauses)
     twice(clauses)
     settings = SettingsDetector().detect(plain, sentences)
     light = environment.light(plain, sentences)
     scene = Scene(text, plain, sentences, words, cast, clauses, places, road, settings, light)
-    scene.spans, scene.endings = spans, endings
+    scene.spans, scene.endings, scene.limits = spans, endings, limits
     scene.actors = actors(scene)
     speeds(scene, quantities)
     return scene

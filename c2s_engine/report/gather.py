@@ -11,7 +11,6 @@ import yaml
 from pydantic import ValidationError
 
 from c2s_engine.api import Engine
-from c2s_engine.interpret.composing.describe import described
 from c2s_engine.maps.library import NAMED, MapNotFound
 from c2s_engine.report.material import Material, ReportError, problem_of
 from c2s_engine.structure.components import Component, Link, Structure, Unmet
@@ -19,6 +18,7 @@ from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.structure.facts import Trajectories
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import Finished, ProgramChanged, RunDone, Say
+from c2s_engine.structure.sentences import described
 from c2s_engine.structure.specs import SPEC_OF
 
 _FOLDER_NAME = re.compile(r"[A-Za-z0-9][\w.-]{0,79}")

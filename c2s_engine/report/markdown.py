@@ -6,6 +6,7 @@ from typing import Any
 import yaml
 
 from c2s_engine.structure.account import STATUS_WORDS
+from c2s_engine.structure.components import field_words
 
 MOMENTS, PLOTS = "moments.png", "plots.png"
 
@@ -71,7 +72,7 @@ def _structure(shown: dict[str, Any]) -> Iterator[str]:
         if c["spec"]:
             said = yaml.safe_dump(c["spec"], sort_keys=False, default_flow_style=None, width=110, allow_unicode=True)
             lines.append(fenced(said, "yaml"))
-        notes = [f"- assumed {a['field']} = {a['value']}: {a['reason']}" for a in c["assumed"]]
+        notes = [f"- assumed {field_words(a['field'])} = {a['value']}: {a['reason']}" for a in c["assumed"]]
         notes += [f"- not expressible: “{u['text']}”: {u['reason']}" for u in c["unmet"]]
         notes += [f"- rests on the {s['kind']} “{s['label']}”" for s in c["sources"]]
         yield "\n\n".join([*lines, "\n".join(notes)] if notes else lines)

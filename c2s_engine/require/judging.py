@@ -43,7 +43,7 @@ def _judged(requirement: Requirement, evidence: Evidence) -> Result:
     result = CHECKS[requirement.check](requirement, evidence)
     if evidence.facts.ran or (result.holds and requirement.kind in SO_FAR):
         return result
-    if result.holds is False and requirement.kind in (*SO_FAR, "natural", "rules"):
+    if result.holds is False and requirement.kind in (*SO_FAR, "natural", "rules", "limit"):
         return result
     seen_first = result.holds and requirement.kind in MOMENTS
     return result if seen_first else unknown(requirement, result.said, f"not reached: {_broke_off(evidence.facts)}")

@@ -90,7 +90,9 @@ class Scene:
              component: str | None = None, **values: Value) -> Requirement:  # fmt: skip
         """A requirement with its id and its clause."""
         cid = component or ("E" if actor == "ego" else actor)
-        spans = [link.span for link in self.structure[cid].links if link.span and link.kind == "text"]
+        links = [link for link in self.structure[cid].links if link.span and link.kind == "text"]
+        exact = [link.span for link in links if link.field and f"{path}.".startswith(f"{link.field}.")]
+        spans = exact or [link.span for link in links]
         clause = (min(s[0] for s in spans), max(s[1] for s in spans)) if len(spans) == 1 else next(iter(spans), None)
         return Requirement(
             id=f"{cid}.{path}", kind=kind, component=cid, text=text, clause=clause, check=check, actor=actor,

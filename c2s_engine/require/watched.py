@@ -13,10 +13,8 @@ from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.requirements import Requirement, Result, Value
 from c2s_engine.structure.specs import Phase, SettingsSpec, Trigger
+from c2s_engine.structure.triggers import JUDGED_HERE, NEW_PLACES, clause
 
-NEW_PLACES = ("stop_line", "in_intersection", "past_intersection", "bend")
-JUDGED_HERE = ("apart", "passed", "speed", "light", "seen", "contact")
-"""Kinds of trigger that are judged here, whoever waits; the others where they are about another than who waits."""
 STANDS = ("stationary", "wait", "stop", "yield")
 SHOWN_AS = {"dark": ("off",), "flashing": ("yellow", "off")}
 """What the signal of a light shows that is out of order, or flashes."""
@@ -66,26 +64,6 @@ def words(scene: Scene, t: Trigger, actor: str) -> str:
     """A trigger as sentences say it."""
     subject = t.subject or actor
     return clause(t, scene.named(subject), scene.named(t.of or _other(scene, subject)))
-
-
-def clause(t: Trigger, one: str, other: str) -> str:
-    """What a trigger watches, in words; `one`, `other`: how its subject and the other are called."""
-    value = f"{low(t.value):g}" if t.value is not None else "some"
-    value += f" to {high(t.value):g}" if t.value is not None and high(t.value) > low(t.value) else ""
-    action, place = (t.action or "").replace("_", " "), (t.place or "").replace("_", " ")
-    patterns = {
-        "distance": f"{one} is {value} m from {other}", "apart": f"{one} is as far as {value} m from {other}",
-        "ttc": f"{one} is {value} s from {other}", "time": f"{value} s have passed",
-        "action": f"{other}: {action} begins", "passed": f"{one} has gone by {other}",
-        "speed": f"{one} goes at {value} m/s",
-        "light": f"the light before {one} is {t.light}", "seen": f"{one} can see {other}",
-        "contact": f"{one} and {other} touch", "place": f"{one} is {value} m before the {place}",
-    }  # fmt: skip
-    inside = {"in_intersection": "in", "past_intersection": "past"}.get(t.place or "")
-    said = f"{one} is {inside} the intersection" if inside else patterns[t.kind]
-    if t.kind == "place" and not inside and (t.value is None or high(t.value) == 0):
-        said = f"{one} is at the {place}"
-    return said + (f", and {low(t.delay):g} s later" if t.delay is not None else "")
 
 
 def _other(scene: Scene, subject: str) -> str:

@@ -4,6 +4,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from c2s_engine.structure.account import STATUS_WORDS, account
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.facts import EGO, EventFact, ObjectFacts, RunFacts
 from c2s_engine.structure.happening import USUAL, ended, told
@@ -81,6 +82,11 @@ class _Asked:
         if isinstance(component.spec, ObjectSpec):
             words |= {component.spec.name, component.spec.type.replace("_", " ")}
         return any(re.search(rf"\b{re.escape(w)}s?\b", self.text, re.I) for w in words)
+
+    @property
+    def named(self) -> bool:
+        """Whether the question names ego or an object."""
+        return any(self.names(c) for c in self.structure.components if c.kind in "EO")
 
     @property
     def actors(self) -> list[ObjectFacts]:
@@ -201,6 +207,24 @@ def _met(asked: _Asked) -> str:
     return f"{met} of {of} requirements met." + "".join(f"\n{line}" for line in missed[:8])
 
 
+def _accounted(asked: _Asked) -> str:
+    """What became of the text, clause by clause, where that is not simply a part of S."""
+    clauses = account(asked.structure)
+    if not clauses:
+        return "There is no text: S was made without one."
+    whole = sum(1 for c in clauses if c.status == "understood")
+    lines = [f"“{c.text}”: {STATUS_WORDS[c.status]}" + (f" ({c.reason})" if c.reason else "")
+             for c in clauses if c.status != "understood"]  # fmt: skip
+    return "\n".join([f"{whole} of {len(clauses)} clauses of the text are in S as understood.", *lines])
+
+
+def _assumed(asked: _Asked) -> str:
+    """What the text left open, with what was chosen and why."""
+    notes = [f"{c.id}: {a.called} {a.value} ({a.reason})" for c in asked.structure.components for a in c.assumed
+             if c.kind not in "EO" or asked.names(c) or not asked.named]  # fmt: skip
+    return "\n".join(notes) or "Nothing was assumed."
+
+
 def _there(asked: _Asked) -> str:
     named = [c for c in asked.structure.components if c.kind in "EO" and asked.names(c)]
     chosen = named or [c for c in asked.structure.components if c.kind in "EO"]
@@ -208,6 +232,8 @@ def _there(asked: _Asked) -> str:
 
 
 TOPICS: tuple[tuple[str, Callable[[_Asked], str]], ...] = (
+    (r"\b(?:underst(?:ood|and)|left out|lost from|dropped|ignored|account of)\b", _accounted),
+    (r"\b(?:assum\w+|guess\w*|left open|defaults?)\b", _assumed),
     (r"\b(?:colli\w+|crash\w*|hit|hits|touch\w*|contact|accident)\b", _collided),
     (r"\b(?:close|closest|near|nearest|gap|distance|apart|ttc|time to collision|pet|encroachment)\b", _near),
     (r"\b(?:brak\w+|decelerat\w+|slow(?:s|ed|ing)? down)\b", _braked),

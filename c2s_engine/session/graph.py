@@ -22,6 +22,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.edits import Edit
 from c2s_engine.structure.progress import StructureChanged
+from c2s_engine.structure.sentences import retold
 from c2s_engine.write import by_hand
 
 EDITS: TypeAdapter[list[Edit]] = TypeAdapter(list[Edit])
@@ -116,6 +117,7 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         elif edits:
             structure = await read_back(before, structure, found.writer, tools.check, emit)
             structure, changed = await in_place.followed(before, structure, found.writer.map, tools.check, emit)
+        structure = retold(before, structure)
         emit(StructureChanged(structure=structure))
         update: State = {
             "before": before.model_dump(mode="json"),

@@ -12,6 +12,7 @@ from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import ComponentState, ProgramChanged, Progress, Say
+from c2s_engine.structure.sentences import sentence
 from c2s_engine.structure.specs import SettingsSpec
 from c2s_engine.write import by_hand
 from c2s_engine.write.in_place import (
@@ -237,11 +238,9 @@ class _Work:
 
 def _told_anew(structure: Structure, component: Component, spec: Any) -> str:
     """The sentence of an object whose spec is another; one that was not made from the spec stays."""
-    from c2s_engine.interpret.composing import describe
-
-    names = {c.id: c.spec.name for c in structure.objects}  # type: ignore[union-attr]
-    made = describe.obj(component.spec, names)  # type: ignore[arg-type]
-    return describe.obj(spec, names) if component.description == made else component.description
+    if component.description != sentence(component, structure):
+        return component.description
+    return sentence(component.model_copy(update={"spec": spec}), structure)
 
 
 def counterpart(component: Component, read: Structure) -> ComponentId | None:

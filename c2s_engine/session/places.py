@@ -81,7 +81,7 @@ async def resolve(
         return Resolution(None, diagnostic=_diagnostic(str(error), "contradiction", error.fields))
     named = named_map(structure)
     names = (given,) if given else tuple(dict.fromkeys(n for n in (named, *at_hand(library, default)) if n))
-    lacking = ""
+    lacking, failed, looked = "", None, False
     for wanted in names:
         try:
             found = await on_map(structure, library, check, wanted)
@@ -93,18 +93,27 @@ async def resolve(
             continue
         except CheckError as error:
             if wanted in (given, named):
-                lookup = f"the place cannot be looked up: {error}"
-                return Resolution(None, diagnostic=_diagnostic(lookup, "lookup", ("R",)))
+                return _not_looked_up(error)
+            failed = failed or error
             continue
+        looked = True
         if found is not None and wanted in (given, named):
             return found
         if found is not None and found.writer is not None:
             assumed = Assumption(field="map", value=found.writer.map.name, reason=lacking or _chosen(wanted, library))
             return Resolution(found.writer, found.count, (assumed,))
         lacking = lacking or (f"{wanted} has no such place" if wanted == named else "")
+    if failed is not None and not looked:
+        return _not_looked_up(failed)
     nearest = await _offers(structure, library, check, given) if offers else ""
     lack = f"{given} has no such place" if given else "no map at hand has such a place"
     return Resolution(None, diagnostic=_diagnostic(f"{lack}. {nearest}", "no-place", ("R",)))
+
+
+def _not_looked_up(error: CheckError) -> Resolution:
+    """The refusal where maps cannot be searched at all, which says nothing of what is on them."""
+    lookup = f"the place cannot be looked up: {error}"
+    return Resolution(None, diagnostic=_diagnostic(lookup, "lookup", ("R",)))
 
 
 async def on_map(structure: Structure, library: MapLibrary, check: CheckClient, name: str) -> Resolution | None:

@@ -6,13 +6,15 @@ from pydantic import ValidationError
 from c2s_engine.check.client import CheckClient, CheckError
 from c2s_engine.session.in_place import counterpart
 from c2s_engine.session.steps import Emit
-from c2s_engine.structure.components import ComponentId, Structure
+from c2s_engine.structure.components import ComponentId, Structure, field_words
 from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Say
+from c2s_engine.structure.quantity import in_words
 from c2s_engine.structure.regenerate import key_of
+from c2s_engine.structure.sentences import retold
 from c2s_engine.write import by_hand
-from c2s_engine.write.in_place import Change, at, changes, data, put, same
+from c2s_engine.write.in_place import Change, at, changes, data, ends, put, same
 from c2s_engine.write.inverted import as_field
 from c2s_engine.write.typed.writer import TypedWriter
 
@@ -27,15 +29,18 @@ async def read_back(
         fields = as_field(before[cid].code, after, cid, writer)
         if fields is not None:
             told += [(cid, change) for change in changes(data(after[cid]), data(fields[cid]))]
-            ours = fields[cid].model_copy(update={"origin": "rendered", "conflict": None})
-            after = fields.with_component(ours)
-            after = after.with_component(ours.model_copy(update={"key": key_of(after, cid, writer)}))
+            said = {change.name for change in changes(data(after[cid]), data(fields[cid]))}
+            assumed = tuple(a for a in after[cid].assumed if a.field not in said)
+            ours = fields[cid].model_copy(update={"origin": "rendered", "conflict": None, "assumed": assumed})
+            after = retold(before, fields.with_component(ours))
+            key = key_of(after, cid, writer) if after[cid].description == ours.description else ""  # to be written anew
+            after = after.with_component(after[cid].model_copy(update={"key": key}))
             edited.remove(cid)
     if edited:
         after, more = await _read_again(before, after, check)
         told += more
     for cid, change in told:
-        emit(Say(text=f"{cid}, read from the code: {change.name.replace('_', ' ')} is {_shown(change.new)}."))
+        emit(Say(text=f"{cid}, read from the code: {field_words(change.name)} is {_shown(change)}."))
     return after
 
 
@@ -80,8 +85,7 @@ async def _read_again(
     return after, told
 
 
-def _shown(value: object) -> str:
-    """A value of a field in short."""
-    if isinstance(value, list) and len(value) == 2:
-        return f"{_shown(value[0])} to {_shown(value[1])}"
-    return f"{value:g}" if isinstance(value, float) else str(value)
+def _shown(change: Change) -> str:
+    """The new value of a field in short, with its unit."""
+    number = ends(change.new)
+    return in_words(change.name, number) if number else str(change.new)

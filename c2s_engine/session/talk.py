@@ -152,7 +152,7 @@ async def _events(
         yield _Next(turn.kind)
     else:
         sentence = "That was not understood as a change: name the component, the field and the value."
-        yield Say(text=turn.reply) if turn.reply else Say(text=sentence, severity="warning")
+        yield Say(text=turn.reply or sentence, severity="warning")
         yield _Next(turn.kind)
 
 

@@ -30,7 +30,7 @@ def reason(component: Component) -> str:
     for link in component.links:
         found.setdefault(_KINDS[link.kind], []).append(f"“{link.label}”")
     told = "; ".join(f"{kind} {', '.join(dict.fromkeys(labels))}" for kind, labels in found.items())
-    chosen = [f"{a.field} = {a.value} ({a.reason})" for a in component.assumed]
+    chosen = [f"{a.called} = {a.value} ({a.reason})" for a in component.assumed]
     parts = [
         f"{component.id} rests on {told}" if told else f"{component.id} rests on no words and no source",
         rule(component),

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 from c2s_engine.structure.components import Assumption, Component, ComponentId, Structure
 from c2s_engine.structure.edits import EditError, SetField, apply
-from c2s_engine.structure.quantity import Quantity, high, low, middle
+from c2s_engine.structure.quantity import Quantity, in_words, middle
+from c2s_engine.structure.sentences import retold
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed.tables import APPROACH_ANGLE
 from c2s_engine.write.typed.usual_values import Usual
@@ -58,9 +59,10 @@ def chosen(structure: Structure, unknown: Unknown, value: Quantity, reason: str 
         changed = apply(structure, SetField(component=unknown.component, path=field, value=setting))
     except EditError:
         return structure
-    note = Assumption(field=field, value=_shown(field, value), reason=reason, by=PLANNER)
+    note = Assumption(field=field, value=in_words(field, value), reason=reason, by=PLANNER)
     others = tuple(a for a in kept if a.field != field)
-    return changed.with_component(changed[unknown.component].model_copy(update={"assumed": (*others, note)}))
+    changed = changed.with_component(changed[unknown.component].model_copy(update={"assumed": (*others, note)}))
+    return retold(structure, changed)
 
 
 def _of(component: Component, usual: Usual) -> Iterator[Unknown]:
@@ -104,14 +106,3 @@ def _of_phase(cid: ComponentId, i: int, phase: Phase, speed: float, untimed: boo
         yield Unknown(cid, f"{path}.rate", middle(phase.rate) if phase.rate is not None else 3.5)
     if phase.action in ("overtake", "accelerate") and (phase.speed is None or f"{path}.speed" in assumed):
         yield Unknown(cid, f"{path}.speed", middle(phase.speed) if phase.speed is not None else max(speed, 5.0))
-
-
-def _shown(path: str, value: Quantity) -> str:
-    """A value or a range in the user's units."""
-    last, scale, digits = path.rsplit(".", 1)[-1], 1.0, 4
-    if last == "speed":
-        scale, digits = 3.6, 3
-    least, most = f"{low(value) * scale:.{digits}g}", f"{high(value) * scale:.{digits}g}"
-    unit = {"speed": "km/h", "rate": "m/s2", "duration": "s", "trigger": "s after the start",
-            "later": "s"}.get(last, "m")  # fmt: skip
-    return f"{least if least == most else f'{least} to {most}'} {unit}"

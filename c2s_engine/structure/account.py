@@ -5,24 +5,28 @@ A view of S as it stands, never stored: so an edit of S changes it. Nothing of t
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import Literal
+from typing import Any, Literal
 
 from c2s_engine.structure.components import ComponentId, Frozen, Structure, Unmet
+from c2s_engine.structure.specs import Spec
 
-Status = Literal["understood", "background", "not_expressible", "not_understood"]
+Status = Literal["understood", "partly", "background", "not_expressible", "not_understood"]
 Span = tuple[int, int]
 
 STATUS_WORDS: dict[Status, str] = {
-    "understood": "understood", "background": "background", "not_expressible": "not expressible",
+    "understood": "understood", "partly": "partly understood", "background": "background",
+    "not_expressible": "not expressible",
     "not_understood": "not understood",
 }  # fmt: skip
 NOBODY = "no component took it up"
+GONE = "{} is not in S"
 
 _BREAK = re.compile(r"(?<=[.!?;:])[\"')\]”’]*\s+|\s*\n\s*|(?<=,)\s+(?=(?:and|but|while|when|so|then|which|who)\b)")
 
 
 class Clause(Frozen):
-    """A piece of the text and what became of it. `lost`: what in it could not be said or read, with the reasons.
+    """A piece of the text and what became of it: understood where the fields that it became are in S and nothing of it
+    is lost, partly where something is. `lost`: what in it could not be said or read, with the reasons.
 
     `fields`: the fields of S that it became, where the method tells ("O1.phases.0")."""
 
@@ -84,25 +88,40 @@ def _wordy(text: str, spans: list[Span]) -> list[Span]:
 
 def _clause(structure: Structure, span: Span) -> Clause:
     components = [c.id for c in structure.components if any(_meets(link.span, span) for link in c.links)]
-    fields = [
-        f"{c.id}.{li.field}" for c in structure.components for li in c.links if li.field and _meets(li.span, span)
-    ]
+    said = dict.fromkeys(
+        (c.id, li.field) for c in structure.components for li in c.links if li.field and _meets(li.span, span)
+    )
+    fields = [f"{cid}.{path}" for cid, path in said if is_set(structure[cid].spec, path)]
+    gone = [GONE.format(f"{cid}.{path}") for cid, path in said if f"{cid}.{path}" not in fields]
     unmet = _inside((u for c in structure.components for u in c.unmet), span)
     missed = _inside(structure.not_understood, span)
     background = _inside(structure.background, span)
+    whole = structure.text[slice(*span)]
+    missed += tuple(Unmet(text=whole, reason=reason, span=span) for reason in gone)
     status: Status = "understood"
     if background:
         status = "background"
-    elif missed:
-        status = "not_understood"
-    elif unmet and not fields:
-        status = "not_expressible"
+    elif fields and (missed or unmet):
+        status = "partly"
+    elif missed or unmet:
+        status = "not_understood" if missed else "not_expressible"
     elif not components:
-        status, missed = "not_understood", (Unmet(text=structure.text[slice(*span)], reason=NOBODY, span=span),)
+        status, missed = "not_understood", (Unmet(text=whole, reason=NOBODY, span=span),)
     return Clause(
-        span=span, text=structure.text[slice(*span)], status=status, components=tuple(components),
-        fields=tuple(dict.fromkeys(fields)), lost=(*background, *missed, *unmet),
+        span=span, text=whole, status=status, components=tuple(components),
+        fields=tuple(fields), lost=(*background, *missed, *unmet),
     )  # fmt: skip
+
+
+def is_set(spec: Spec, path: str) -> bool:
+    """Whether a field of a spec says something: it is there, and neither empty nor no."""
+    value: Any = spec
+    for name in path.split("."):
+        if isinstance(value, tuple) and name.isdigit():
+            value = value[int(name)] if int(name) < len(value) else None
+        else:
+            value = getattr(value, name, None)
+    return value not in (None, (), "", False, "none")
 
 
 def _inside(notes: Iterable[Unmet], span: Span) -> tuple[Unmet, ...]:

@@ -5,6 +5,7 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from c2s_engine.structure.quantity import Quantity
 from c2s_engine.structure.specs import (
     AnySpec,
     EgoSpec,
@@ -40,6 +41,18 @@ class Assumption(Frozen):
     value: str
     reason: str
     by: str = Field("", description="`writer` where the writer decided; else whoever read the text")
+    amount: Quantity | None = Field(None, description="the value as a number, SI units, where it is not in the spec")
+
+    @property
+    def called(self) -> str:
+        """The field in words: "gap" for placement.gap, "phase 2 trigger" for phases.1.trigger."""
+        return field_words(self.field)
+
+
+def field_words(path: str) -> str:
+    """A field of a spec in words, numbers from 1."""
+    path = re.sub(r"(\w+?)s\.(\d+)", lambda m: f"{m[1]} {int(m[2]) + 1}", path)
+    return path.removeprefix("placement.").replace(".", " ").replace("_", " ")
 
 
 class Unmet(Frozen):
@@ -68,6 +81,16 @@ class Component(Frozen):
     def kind(self) -> str:
         """G, R, E, O or T."""
         return self.id[0]
+
+    def amount(self, path: str) -> Quantity | None:
+        """The number that its code was written with for a field: the writer's, where S leaves it open; SI units."""
+        for note in self.assumed:
+            if note.field == path and note.amount is not None:
+                return note.amount
+        value: Any = self.spec
+        for name in path.split("."):
+            value = getattr(value, name, None)
+        return value if isinstance(value, float | int | tuple) else None
 
 
 class Structure(Frozen):

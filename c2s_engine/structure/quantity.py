@@ -29,6 +29,19 @@ def high(value: float | Range) -> float:
     return float(value[1] if isinstance(value, tuple | list) else value)
 
 
+_UNITS = {"gap": "m", "spacing": "m", "distance": "m", "lateral": "m", "duration": "s", "delay": "s", "rate": "m/s2",
+          "trigger": "s after the start", "arrives": "s after ego"}  # fmt: skip
+_SPEEDS = ("speed", "limit", "speed_limit")
+
+
+def in_words(path: str, value: float | Range) -> str:
+    """The value of a field of a spec in the user's units: "50 km/h", "10 to 12 m"."""
+    name = path.rsplit(".", 1)[-1]
+    scale, digits, unit = (3.6, 3, "km/h") if name in _SPEEDS else (1.0, 4, _UNITS.get(name, ""))
+    least, most = f"{low(value) * scale:.{digits}g}", f"{high(value) * scale:.{digits}g}"
+    return f"{least if least == most else f'{least} to {most}'} {unit}".strip()
+
+
 def middle(value: float | Range) -> float:
     """The mean of a quantity's two ends."""
     return (low(value) + high(value)) / 2

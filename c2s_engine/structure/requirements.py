@@ -15,7 +15,7 @@ from c2s_engine.structure.facts import RunFacts, Trajectories
 
 Kind = Literal[
     "actors", "start", "phase", "order", "place", "outcome", "conflict", "reaction", "natural", "rules", "speed",
-    "pace", "road", "settings",
+    "pace", "road", "settings", "limit",
 ]  # fmt: skip
 Value = float | str | bool | tuple[float, ...] | tuple[str, ...]
 

@@ -7,7 +7,7 @@ classes. All numbers are SI (m, s, m/s, m/s2, rad); km/h appear at the user's fa
 import re
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, field_validator
+from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
 
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.quantity import Quantity
@@ -201,11 +201,30 @@ class Condition(Spec):
     action: v.Action | None = None
 
 
+class Limit(Spec):
+    """A bound that a run must keep all along: by it a run is judged, nobody does anything for it."""
+
+    kind: v.LimitKind = Field(description="what is bounded")
+    subject: Reference = "ego"
+    other: Reference | None = Field(None, description="gap, ttc, collision: to whom; default: to everybody")
+    minimum: float | None = Field(None, description="at least so much: m/s, m/s2, m/s3, m or s")
+    maximum: float | None = Field(None, description="at most so much")
+
+    @model_validator(mode="after")
+    def _bounded(self) -> "Limit":
+        if self.kind != "collision" and self.minimum is None and self.maximum is None:
+            raise ValueError(f"a limit of {self.kind} needs a minimum or a maximum")
+        if self.minimum is not None and self.maximum is not None and self.minimum > self.maximum:
+            raise ValueError(f"the limit's minimum {self.minimum:g} is above its maximum {self.maximum:g}")
+        return self
+
+
 class RestrictionsSpec(Spec):
-    """T: what must hold at the start, and when the run is over."""
+    """T: what must hold at the start and all along, and when the run is over."""
 
     component: Literal["T"] = "T"
     require: tuple[Condition, ...] = ()
+    limits: tuple[Limit, ...] = Field((), description="what the run must keep to all along")
     terminate_when: tuple[Condition, ...] = ()
     duration: float | None = Field(None, gt=0, le=120, description="the run's length, s")
 

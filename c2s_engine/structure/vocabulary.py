@@ -59,4 +59,8 @@ ConditionKind = Literal[
     "distance", "closest", "visible", "not_visible", "time", "travelled", "collision", "stopped", "action"
 ]
 
+LimitKind = Literal[
+    "speed", "acceleration", "deceleration", "lateral_acceleration", "jerk", "gap", "ttc", "collision",
+]  # fmt: skip
+
 Origin = Literal["rendered", "generated", "by_hand", "imported"]

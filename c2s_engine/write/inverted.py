@@ -6,7 +6,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from c2s_engine.structure.components import ComponentId, Structure
+from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.structure.regenerate import FragmentWriter
 from c2s_engine.write.in_place import data, ends, put
@@ -39,7 +39,7 @@ def _nearer(
 ) -> tuple[Structure, int] | None:  # fmt: skip
     """The structure with one more field changed, after which fewer numbers differ, and how many."""
     fields, tried = data(structure[cid]), set()
-    for path, value in _leaves(fields):
+    for path, value in (*_leaves(fields), *_chosen(structure[cid])):
         for was, now in differing:
             for new in _meant(value, float(was), float(now)):
                 if (path, str(new)) in tried:
@@ -73,6 +73,13 @@ def _leaves(value: Any, path: tuple[str | int, ...] = ()) -> Iterator[tuple[tupl
     elif isinstance(value, dict | list):
         for key, inner in value.items() if isinstance(value, dict) else enumerate(value):
             yield from _leaves(inner, (*path, key))
+
+
+def _chosen(component: Component) -> Iterator[tuple[tuple[str | int, ...], Any]]:
+    """The numbers that the writer chose where the spec says none, as if it said them."""
+    for note in component.assumed:
+        if note.amount is not None:
+            yield tuple(int(p) if p.isdigit() else p for p in note.field.split(".")), note.amount
 
 
 def _meant(value: Any, was: float, now: float) -> Iterator[Any]:

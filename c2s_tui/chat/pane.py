@@ -54,8 +54,8 @@ class ChatPane(Vertical):
             (c.id, link.span) for c in structure.components for link in c.links if link.kind == "text" and link.span
         )
         clauses = account(structure)
-        lost: tuple = tuple((c.status, c.span) for c in clauses if c.status != "understood")
-        partly = [u.span for c in clauses if c.status == "understood" for u in c.lost if u.span]
+        lost: tuple = tuple((c.status, c.span) for c in clauses if c.status not in ("understood", "partly"))
+        partly = [u.span for c in clauses if c.status == "partly" for u in c.lost if u.span]
         lost += tuple(("not_expressible", span) for span in partly)
         said = [line for line in self.query(Line) if line.kind == "user"]
         read = next((line for line in reversed(said) if line.plain == structure.text), None)

@@ -6,6 +6,7 @@ from typing import Any
 from rich.segment import Segment
 from rich.style import Style
 from rich.text import Text
+from textual.binding import Binding
 from textual.document._document import Selection
 from textual.events import Key
 from textual.geometry import Offset, Region, Spacing
@@ -41,6 +42,10 @@ class CodeArea(Folding, OrderedArea):
     """A TextArea whose highlights come from Pygments (Textual's own are tree-sitter's)."""
 
     HELP_NAME = "code"
+    BINDINGS = [
+        Binding("ctrl+home", "go('start')", "First line", show=False, id="code.start", tooltip="Go to the first line"),
+        Binding("ctrl+end", "go('end')", "Last line", show=False, id="code.end", tooltip="Go to the last line"),
+    ]
     selection: Reactive[Selection] = reactive(Selection(), init=False, always_update=True, repaint=False)
     """As in TextArea, where each key draws the whole pane anew: here only the rows that it touches."""
 
@@ -72,6 +77,18 @@ class CodeArea(Folding, OrderedArea):
             return
         if event.key == "escape":  # to the pane; TextArea's would take the focus away, and what is typed next with it
             event.prevent_default()
+
+    def action_go(self, where: str) -> None:
+        """Put the cursor at the start or the end of the program."""
+        self.move_cursor((0, 0) if where == "start" else self.document.end)
+
+    def action_undo(self) -> None:
+        """Take back what was typed last. What a turn wrote is not typed: that turn is undone as a whole."""
+        if self.history.undo_stack:
+            super().action_undo()
+        else:
+            words = "Nothing typed here is left to undo. To undo the last turn: u in S, or /undo."
+            self.app.notify(words, markup=False)
 
     def on_mount(self) -> None:
         self._dress()
@@ -182,8 +199,7 @@ class CodeArea(Folding, OrderedArea):
             self.refresh_lines(row)
 
     def replace_text(self, text: str) -> None:
-        """Show another program; cursor and scroll stay at the text where they were, and the change can be undone by
-        key."""
+        """Show another program; cursor and scroll stay at the text where they were."""
         if text == self.text:
             return
         if not self.text:

@@ -83,6 +83,8 @@ class CodePane(Vertical):
             self.area.replace_text(desk.program.text)
             self._shown_text = self.area.text
             self.area.replace_text(typed)
+            if not self.edited:  # keys undo what was typed; a turn is undone as a whole
+                self.area.history.clear()
         self.base = desk.program
         if not self.edited:
             self._live = None

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Set
 from dataclasses import dataclass
 
-from c2s_engine.structure.components import Component
+from c2s_engine.structure.components import Assumption, Component
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_tui.desk import Desk
 from c2s_tui.look.kinds import kind_name
@@ -11,6 +11,8 @@ from c2s_tui.sheet.values import Field, fields, show
 
 HEAD, SENTENCE, FIELD, UNMET, CONFLICT, LINK, ADD = "head", "sentence", "field", "unmet", "conflict", "link", "add"
 HIT = "hit"
+WRITER = "writer"
+"""Who decides what is not in the spec."""
 
 
 @dataclass(frozen=True)
@@ -83,30 +85,40 @@ def _component(
         lines.append(Row(f"{cid}:sentence", SENTENCE, cid, component.description))
     hits = [c for c in desk.collisions if cid in c.components]
     lines += [Row(f"{cid}:hit:{c.time}", HIT, cid, c.of(cid), state="" if c.said else "failed") for c in hits]
-    assumed = {a.field: a for a in component.assumed}
     shown: set[str] = set()
     for field in fields(component.spec):
         if not unfolded and not _in_short(field):
             continue
-        why = assumed.get(field.path)
-        if why:
-            shown.add(why.field)
+        notes = [a for a in component.assumed if _told_by(field, a, unfolded)]
+        shown.update(a.field for a in notes)
         held, achieved = found.get(f"{cid}.{field.path}", (None, ""))
         lines.append(
             Row(
-                f"{cid}:{field.path}", FIELD, cid, show(field), why.reason if why else "",
+                f"{cid}:{field.path}", FIELD, cid, show(field), _reasons(field, notes),
                 depth=field.depth if unfolded else 0, field=field, seen=held, achieved=achieved,
                 judged=f"{cid}.{field.path}" in found,
             )
         )  # fmt: skip
     left = [a for a in component.assumed if a.field not in shown]
     lines += [
-        Row(f"{cid}:assumed:{a.field}", LINK, cid, f"{a.field.replace('_', ' ')} {a.value}", a.reason) for a in left
+        Row(f"{cid}:assumed:{a.field}", LINK, cid, f"{a.called} {a.value}", a.reason) for a in left
     ]
     lines += [Row(f"{cid}:unmet:{u.text}", UNMET, cid, u.text, u.reason) for u in component.unmet]
     if component.conflict is not None:
         lines.append(Row(f"{cid}:conflict", CONFLICT, cid, "written by hand, and its fields have changed since"))
     return lines
+
+
+def _told_by(field: Field, assumption: Assumption, unfolded: bool) -> bool:
+    """Whether a field's line shows the value that was assumed: its own, or, of a part in one line, one in it."""
+    if unfolded or field.leaf or assumption.by == WRITER:
+        return assumption.field == field.path
+    return assumption.field == field.path or assumption.field.startswith(f"{field.path}.")
+
+
+def _reasons(field: Field, notes: list[Assumption]) -> str:
+    """Why what was assumed is so, each time with the field where that is only a part of the line."""
+    return "; ".join(n.reason if n.field == field.path else f"{n.called}, {n.reason}" for n in notes)
 
 
 def _in_short(field: Field) -> bool:

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from c2s_engine import driving, paths
+from c2s_engine.check import library
 from c2s_engine.check.protocol import CheckRequest
 from c2s_engine.saving import save
 from c2s_engine.structure.program import Program
@@ -62,3 +63,47 @@ def test_inlined_is_one_file_with_what_is_used(server, folder):
     assert driving.MODULE + " import" not in text and "behavior Walk" not in text and "def _way" in text
     (folder / driving.FILE).unlink()
     assert check(server, folder, text).ok
+
+
+def test_one_that_is_no_scenic_is_named_with_its_line(server, folder):
+    lines = driving.text().split("\n")
+    row = next(n for n, line in enumerate(lines, 1) if line.startswith("behavior Drive"))
+    for broken, where in (("    x = = 3", row + 1), ("    do (oops", row + 2)):  # the second is seen at a docstring
+        (folder / driving.FILE).write_text("\n".join([*lines[:row], broken, *lines[row:]]))
+        (found,) = [d for stage in check(server, folder).stages for d in stage.diagnostics]
+        assert f"the c2s_driving.scenic beside the program, line {where}: this is not Scenic" in found.message
+
+
+@pytest.fixture
+def installed(tmp_path, monkeypatch):
+    """Install another text as the driving library, for this process."""
+    def install(text: str) -> None:
+        file = tmp_path / driving.FILE
+        file.write_text(text)
+        monkeypatch.setattr(driving, "path", lambda: file)
+        forget()
+
+    def forget() -> None:
+        for known in (driving.text, driving.digest, driving.names, driving.constants, driving._parts, library.fault):
+            known.cache_clear()
+
+    yield install
+    monkeypatch.undo()
+    forget()
+
+
+@pytest.mark.parametrize("old, new, said", [
+    ("CARS = ['vehicle.audi.a2',", "CARS = ['vehicle.audi.a2',,", "CARS is no list of names"),
+    ("def need(car, other):", "def need((car, other):", "a bracket or a string is never closed"),
+])
+def test_an_installed_one_that_is_broken_says_so(installed, old, new, said):
+    installed(driving.text().replace(old, new, 1))
+    with pytest.raises(driving.BrokenLibrary, match=f"{driving.FILE}, line [0-9]+: {said}"):
+        driving.constants()
+
+
+def test_an_installed_one_that_does_not_compile_says_so(installed):
+    text = driving.text().replace("def need(car, other):", "def need(car other):", 1)
+    row = text[: text.index("def need(car other):")].count("\n") + 1
+    installed(text)
+    assert f"{driving.FILE}, line {row}: this is not Scenic" in library.fault()

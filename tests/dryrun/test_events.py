@@ -219,3 +219,15 @@ def test_motion_counts_up_to_the_first_contact(town):
 def test_every_event_of_the_table_is_tested():
     elsewhere = {"turn_left", "turn_right", "go_straight", "u_turn", "reverse", "run_red", "run_stop"}
     assert set(CASES) | elsewhere == set(definitions())
+
+
+@pytest.mark.parametrize("start", [9.0, 5.6, 2.0])
+@pytest.mark.parametrize("speed", [0.9, 4.0])
+def test_who_crosses_the_lanes_changes_none(town, start, speed):
+    """A cyclist who rides over a road of several lanes, from beside it or from one of them."""
+    for s in (210.0, 240.0, 190.0):
+        rider = town.walk("a", town.lane(43, 1), s, start, speed, kind="bicycle")
+        shown = {e.event for e in next(o for o in town.facts(ego(town), rider).objects if o.name == "a").events}
+        driven = {"lane_change", "lane_change_left", "lane_change_right", "cut_in", "cut_out", "overtake", "drift"}
+        assert not shown & driven, (s, shown & driven)
+        assert "cross_road" in shown or start < 8

@@ -103,9 +103,9 @@ class Stage:
             await pilot.pause()
 
     @asynccontextmanager
-    async def described(self) -> AsyncIterator[Any]:
+    async def described(self, size: tuple[int, int] = (140, 45)) -> AsyncIterator[Any]:
         """A pilot of an app in which CUT_IN has been described."""
-        async with self.make().run_test(size=(140, 45)) as pilot:
+        async with self.make().run_test(size=size) as pilot:
             await self.ready(pilot)
             await self.say(pilot, CUT_IN)
             yield pilot

@@ -120,6 +120,15 @@ async def test_turns_are_a_list_to_go_back_and_forward_in(stage):
         assert not stage.bench.session.undone
 
 
+async def test_a_list_on_a_small_screen_keeps_the_line_that_says_what_enter_does(stage):
+    async with stage.described(size=(80, 24)) as pilot:
+        await stage.say(pilot, "/gallery", wait=False)
+        await stage.until(pilot, lambda: stage.app.screen.query(".foot"))
+        await pilot.pause()
+        box, foot = stage.app.screen.query_one(".dialog").region, stage.app.screen.query_one(".foot").region
+        assert foot.height and foot.bottom < box.bottom <= 24
+
+
 async def test_an_example_of_the_gallery_comes_into_the_line_to_type_in(stage):
     async with stage.described() as pilot:
         await stage.say(pilot, "/gallery night", wait=False)

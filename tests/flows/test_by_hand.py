@@ -3,6 +3,8 @@
 import pytest
 from scripted_engine import CUT_IN
 
+from c2s_engine.structure.edits import SetField
+
 OWN = '''"""
 TITLE: Bypassing
 """
@@ -112,6 +114,23 @@ async def test_a_fix_leaves_the_cursor_and_no_finding(stage):
         await pilot.press("ctrl+y")
         await stage.until(pilot, lambda: not stage.bench.code.edited)
         assert area.cursor_location[0] == row and not stage.bench.code.diagnostics
+
+
+async def test_keys_undo_what_was_typed_and_no_turn(stage):
+    async with stage.described() as pilot:
+        await stage.bench.make_edits((SetField(component="O1", path="placement.gap", value=25.0),))
+        await stage.idle(pilot)
+        written = stage.bench.desk.program.text
+        area = stage.bench.code.area
+        area.focus()
+        await pilot.press("ctrl+home", "x")
+        assert area.cursor_location == (0, 1) and stage.bench.code.edited
+        await pilot.press("ctrl+z")
+        assert area.text == written
+        await pilot.press("ctrl+z")
+        assert area.text == written and not stage.bench.code.edited
+        await pilot.press("ctrl+end")
+        assert area.cursor_location == area.document.end
 
 
 async def test_tab_leaves_a_field_or_takes_it(stage):

@@ -4,10 +4,10 @@ from typing import get_args
 
 import pytest
 
-from c2s_engine.interpret.composing import describe
 from c2s_engine.interpret.language import table
+from c2s_engine.structure import sentences as describe
 from c2s_engine.structure import vocabulary as v
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec, SettingsSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, SettingsSpec
 
 
 @pytest.mark.parametrize(
@@ -33,7 +33,7 @@ def test_a_label_stands_without_an_article():
 
 
 def test_ego_and_the_settings():
-    assert describe.ego(EgoSpec(speed=10, reaction="brake", hard=True), PlaceSpec()).endswith(
+    assert describe.ego(EgoSpec(speed=10, reaction="brake", hard=True)).endswith(
         "drives at 36 km/h; it brakes hard for what comes into its way."
     )
     assert describe.settings(SettingsSpec(weather=("rain", "wind"), time="dusk")) == "Rain and strong wind, dusk."

@@ -11,7 +11,16 @@ from c2s_engine.require.deriving import PARTS
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.facts import ContactFact, Mark, Stay
 from c2s_engine.structure.requirements import Run, failures, tally
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec, Trigger
+from c2s_engine.structure.specs import (
+    EgoSpec,
+    Limit,
+    ObjectSpec,
+    Phase,
+    Placement,
+    PlaceSpec,
+    RestrictionsSpec,
+    Trigger,
+)
 
 LINE = Mark(kind="line", start=60.0, end=60.0, name="1/1", control="signal")
 HIT = ContactFact(time=4.0, one="ego", other="other", part_one="front", part_other="rear")
@@ -25,6 +34,10 @@ def s(*objects: ObjectSpec, ego: EgoSpec | None = None, place: PlaceSpec | None 
         ego=Component(id="E", spec=ego or EgoSpec()), place=Component(id="R", spec=place or PlaceSpec()), objects=made,
         **more,
     )  # fmt: skip
+
+
+def t(*limits: Limit) -> Component:
+    return Component(id="T", spec=RestrictionsSpec(limits=limits))
 
 
 def ego(**values: Any) -> Actor:
@@ -246,6 +259,34 @@ CASES = [
         "nobody touches",
         "T.no_other_contact",
         s(ObjectSpec()),
+        Scene([ego(), other()]),
+        Scene([ego(), other()], contacts=(HIT,)),
+    ),
+    (
+        "brakes with no more than T allows",
+        "T.limits.0",
+        s(brakes(), restrictions=t(Limit(kind="deceleration", subject="O1", maximum=6.0))),
+        Scene([ego(), other(speed=ramp((0, 10), (4, 10), (5, 4.2), (12, 4.2)))]),
+        Scene([ego(), other(speed=ramp((0, 10), (4, 10), (5, 3.4), (12, 3.4)))]),
+    ),
+    (
+        "keeps the distance that T asks for",
+        "T.limits.0",
+        s(ObjectSpec(), restrictions=t(Limit(kind="gap", other="O1", minimum=20.0))),
+        Scene([ego(), other()]),
+        Scene([ego(), other(y=23.0)]),
+    ),
+    (
+        "goes no faster than T allows",
+        "T.limits.0",
+        s(ObjectSpec(), restrictions=t(Limit(kind="speed", maximum=10.0))),
+        Scene([ego(), other()]),
+        Scene([ego(speed=ramp((0, 10), (5, 11), (12, 11))), other(y=60.0)]),
+    ),
+    (
+        "does not touch whom T names",
+        "T.limits.0",
+        s(ObjectSpec(), restrictions=t(Limit(kind="collision", other="O1"))),
         Scene([ego(), other()]),
         Scene([ego(), other()], contacts=(HIT,)),
     ),

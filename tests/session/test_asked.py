@@ -55,6 +55,9 @@ SHOWN = Finished(
      ("did ego stop?", "ego does not stop: its slowest is 32 km/h"),
      ("what happened?", "2.9 s cyclist enters the road; 3.6 s ego brakes; 4.1 s cyclist hits ego"),
      ("did it work?", "0 of 1 requirements met.\nT: Nobody touches anybody."),
+     ("what was not understood?", "0 of 2 clauses of the text are in S as understood.\n“Ego drives.”: not understood"),
+     ("what did you assume?", "E: reaction brake (the text does not say)"),
+     ("what was assumed of O1?", "Nothing was assumed."),
      ("who is O1?", "O1: A bicycle crosses.")],
 )  # fmt: skip
 def test_questions_about_the_scene_and_its_run(question, words):

@@ -132,6 +132,17 @@ async def test_a_dead_check_server_in_a_repair_is_a_finding(server, engine, sess
     assert any("its program was not yet" in w for w in warnings(events))
 
 
+async def test_maps_that_cannot_be_searched_are_not_said_to_lack_the_place(engine, session, monkeypatch):
+    async def broken(request):
+        raise CheckError("The driving library is broken: c2s_driving.scenic, line 7: invalid syntax.")
+
+    monkeypatch.setattr(engine.check_client, "places", broken)
+    events = await take(session.apply(VAN, method="embedded", run=False))
+    (found,) = events[-1].diagnostics
+    assert found.code == "lookup" and "c2s_driving.scenic, line 7" in found.message
+    assert "no map" not in found.message
+
+
 async def test_fields_that_contradict_are_kept_marked_and_said(session):
     await take(session.say("A car drives 20 m ahead of ego in its lane at 40 km/h.", method="embedded", run=False))
     before = session.program.text

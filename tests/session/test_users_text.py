@@ -1,6 +1,7 @@
 """Programs of others, opened, edited and saved: byte for byte theirs plus the intended change."""
 
 import random
+import re
 from difflib import SequenceMatcher
 from pathlib import Path
 
@@ -89,11 +90,36 @@ async def test_a_constant_of_ours_edited_by_hand_is_an_edit_of_its_field(engine)
     typed = "# Ours.\n" + done.program.text.replace("BUS_SPEED = 11.11", "BUS_SPEED = 9.5")
     assert "BUS_SPEED = 9.5" in typed
     done = await last(engine.apply(done.structure, [SetProgram(text=typed)], run=False))
-    assert done.program.text == typed and done.structure["O1"].spec.speed == 9.5
-    assert done.structure["O1"].origin == "rendered"
+    assert done.program.text == typed.replace("away, at 40 km/h", "away, at 34 km/h")  # what its sentence says follows
+    assert done.structure["O1"].spec.speed == 9.5 and done.structure["O1"].origin == "rendered"
     done = await last(engine.say(done.structure, "make the bus a truck", run=False))
     assert done.program.text.startswith("# Ours.\n## G") and "new Truck" in done.program.text
     assert not any(c.conflict for c in done.structure.components)
+
+
+async def test_what_was_assumed_is_where_hand_edits_and_relative_changes_begin(engine):
+    text = "Ego drives at 50 km/h on a straight road. A bus ahead of ego brakes."
+    done = await last(engine.generate(text, run=False))
+    bus = done.structure["O1"]
+    gap, speed = bus.amount("placement.gap"), bus.amount("speed")
+    assert bus.spec.placement.gap is None and gap and speed
+    done = await last(engine.say(done.structure, "make the bus 5 m closer", run=False))
+    assert done.structure["O1"].spec.placement.gap == pytest.approx(gap - 5, abs=0.11)
+    done = await last(engine.say(done.structure, "the bus drives 10 km/h slower", run=False))
+    assert done.structure["O1"].spec.speed == pytest.approx(speed - 10 / 3.6, abs=0.06)
+
+
+async def test_an_assumed_constant_of_ours_edited_by_hand_is_an_edit_of_its_field(engine):
+    text = "Ego drives at 60 km/h. A truck comes from the right at the intersection and goes straight on."
+    done = await last(engine.generate(text, run=False))
+    assert done.structure["O1"].spec.speed is None
+    typed = re.sub(r"(TRUCK_SPEED = )[\d.]+", r"\g<1>5.5", done.program.text)
+    assert typed != done.program.text
+    done = await last(engine.apply(done.structure, [SetProgram(text=typed)], run=False))
+    truck = done.structure["O1"]
+    assert "TRUCK_SPEED = 5.5" in done.program.text and truck.spec.speed == 5.5
+    assert truck.origin == "rendered" and "at 20 km/h" in truck.description and truck.description in done.program.text
+    assert not any(a.field == "speed" for a in truck.assumed)
 
 
 def _differs(one: str, other: str) -> list[str]:

@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 
 from c2s_engine.structure.account import account, covering
 from c2s_engine.structure.components import Component, Link, Structure, Unmet
-from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.specs import ObjectSpec, Phase
 
 PIECES = st.lists(
     st.sampled_from(["A car brakes", "it stops", ", and", ". ", "; ", "\n\n", " ", "-", "...", "when", " ego 40", "\t"])
@@ -34,7 +34,7 @@ def span_in(text: str, words: str) -> tuple[int, int]:
 def test_each_clause_says_what_became_of_it() -> None:
     text = "A van brakes, and its horn sounds. Police came. A zeppelin sang. It was odd."
     van = Component(
-        id="O1", spec=ObjectSpec(name="van", type="van"),
+        id="O1", spec=ObjectSpec(name="van", type="van", phases=(Phase(action="brake"),)),
         links=(Link(kind="text", label="brakes", span=span_in(text, "brakes"), field="phases.0"),),
         unmet=(Unmet(text="horn sounds", reason="nothing can be heard", span=span_in(text, "horn sounds")),),
     )  # fmt: skip
@@ -56,3 +56,17 @@ def test_a_component_that_is_removed_leaves_its_clause_to_nobody() -> None:
     structure = Structure(text=text, objects=(van,))
     assert account(structure)[0].components == ("O1",)
     assert account(structure.model_copy(update={"objects": ()}))[0].status == "not_understood"
+
+
+def test_a_field_that_is_gone_leaves_its_clause_understood_in_part_or_not() -> None:
+    text = "A van brakes. It turns left."
+    links = (Link(kind="text", label="van", span=span_in(text, "van"), field="type"),
+             Link(kind="text", label="brakes", span=span_in(text, "brakes"), field="phases.0"),
+             Link(kind="text", label="turns", span=span_in(text, "turns"), field="phases.1"))  # fmt: skip
+    both = ObjectSpec(type="van", phases=(Phase(action="brake"), Phase(action="turn_left")))
+    for kept, statuses in ((2, ["understood", "understood"]), (1, ["understood", "not_understood"]),
+                           (0, ["partly", "not_understood"])):  # fmt: skip
+        spec = both.model_copy(update={"phases": both.phases[:kept]})
+        found = account(Structure(text=text, objects=(Component(id="O1", spec=spec, links=links),)))
+        assert [c.status for c in found] == statuses
+        assert all(c.reason for c in found if c.status != "understood")

@@ -25,6 +25,7 @@ TABLES = {
     "weather": v.Weather,
     "times": v.TimeOfDay,
     "conditions": v.ConditionKind,
+    "limits": v.LimitKind,
     "object_types": v.ObjectType,
 }
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from c2s_engine.dryrun.events.lanes import changes
+from c2s_engine.dryrun.events.lanes import across, changes
 from c2s_engine.dryrun.events.motion import stretches
 from c2s_engine.dryrun.events.situation import NOWHERE, Seen, Situation
 from c2s_engine.dryrun.events.table import definitions
@@ -81,6 +81,7 @@ def cut_in(seen: Seen, other: Seen, placed: Beside, situation: Situation) -> int
             continue
         gap = lead[a] - apart
         came = seen.lanes[a - 1] not in (NOWHERE, seen.lanes[a]) and seen.speed[a] > 0.3
+        came = came and not across(seen, situation, int(seen.lanes[a]), a)
         if came and lead[a] > 0 and gap <= limits.within and other.lanes[a] == other.lanes[a - 1]:
             return a
     return None
@@ -91,7 +92,8 @@ def cut_out(seen: Seen, placed: Beside, situation: Situation) -> int | None:
     limits = definitions()["cut_out"]
     lead, same, n = placed.lead, placed.same, len(placed.lead)
     moves = {step for _, step, _, _ in changes(seen, situation)}
-    off = {a for lane, a, _ in seen.runs if lane == NOWHERE and a}
+    off = {a for lane, a, _ in seen.runs if lane == NOWHERE and a
+           and not across(seen, situation, int(seen.lanes[a - 1]), a - 1)}  # fmt: skip
     for step in sorted(moves | off):
         before = step - 1
         if (
@@ -119,14 +121,17 @@ def lets_by(seen: Seen, other: Seen, placed: Beside) -> int | None:
 
 
 def overtake(seen: Seen, other: Seen, placed: Beside) -> int | None:
-    """The step at which it is ahead of the other, having begun behind it; what one does that has turned off does not
-    count."""
+    """The step at which it is ahead of the other, having begun behind it; what one does that has turned off, or goes
+    across, does not count."""
     limits = definitions()["overtake"]
     lead, apart = placed.lead, 0.5 * (seen.path.length + other.path.length)
     near = np.abs(placed.aside) < limits.beside
     n = min(len(lead), len(seen.path.heading), len(other.path.heading))
     off = np.cos(seen.path.heading[:n] - other.path.heading[:n]) < 0.9
-    last = int(off.argmax()) - 1 if off.any() and not off[0] else len(lead) - 1
-    if lead[0] >= -0.5 * apart or not near[0] or lead[last] <= apart or not near[last]:
+    if off.all():
         return None
-    return int(np.argmax(lead > apart))
+    first = int(np.argmin(off))
+    last = first + int(off[first:].argmax()) - 1 if off[first:].any() else len(lead) - 1
+    if lead[first] >= -0.5 * apart or not near[first] or lead[last] <= apart or not near[last]:
+        return None
+    return first + int(np.argmax(lead[first:] > apart))

@@ -75,13 +75,21 @@ def _against(seen: Seen, situation: Situation, lane: int, step: int) -> bool:
     return abs(float(wrap(seen.heading[step] - info.heading_at(s)))) > np.pi / 2
 
 
+def across(seen: Seen, situation: Situation, lane: int, step: int) -> bool:
+    """Whether it stands across a lane at a step: who crosses a road, or turns round on it, changes no lane there."""
+    info = situation.index.lanes[lane]
+    s, _ = info.project(seen.x[step], seen.y[step])
+    turn = abs(np.sin(seen.heading[step] - info.heading_at(s)))
+    return bool(turn > np.sin(np.radians(definitions()["lane_change"].turn)))
+
+
 def changes(seen: Seen, situation: Situation) -> list[tuple[str, int, int, int]]:
     """(side, step, from, to) of each change into a neighbouring lane, as the driver sees the sides."""
     long = situation.at(definitions()["lane_change"].time)
     stays = [(lane, a, b) for lane, a, b in seen.runs if lane != NOWHERE and (b - a + 1 >= long or b == seen.until)]
     found = []
     for (one, _, _), (other, first, _) in zip(stays, stays[1:], strict=False):
-        if one == other or continues(situation, one, other):
+        if one == other or continues(situation, one, other) or across(seen, situation, one, first):
             continue
         side = beside(situation, one, other)
         if side is None:
@@ -138,6 +146,7 @@ def drift(seen: Seen, situation: Situation) -> int | None:
             and over[step - 1] <= limits.over
             and rate[step] < limits.sideways
             and seen.speed[step] > 0.5
+            and not (seen.lanes[step] != NOWHERE and across(seen, situation, int(seen.lanes[step]), step))
         ):
             return step
     return None

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 from c2s_engine.interpret import language, typologies
 from c2s_engine.interpret.accounting.clauses import of_sentences, span_of
-from c2s_engine.interpret.accounting.links import linked, owners
+from c2s_engine.interpret.accounting.links import linked, owners, unheld, untaken
 from c2s_engine.interpret.reading.dates import WHEN
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.scene import Scene
@@ -25,6 +25,8 @@ BARE = frozenset(("be", "have", "involve", "contain", "feature", "include", "con
 STRANGE = "“{}” was not read as something that a road user does"
 NOTHING = "nothing of it belongs to a driving scene that the specs can say"
 UNREAL = "told as possible, as a plan or as what came of it, not as part of the scene"
+NO_STEP = "read as “{}”, which {} does not do in S"
+NO_VALUE = "no field of S has this value"
 HEADING = "a heading or a label"
 LABEL_WORDS = 4
 
@@ -77,6 +79,7 @@ class _Account:
             for span, reason in self._together(spans, lost):
                 note = Unmet(text=self.scene.text[slice(*span)], reason=reason.reason, span=span)
                 (background if reason.background else missed).append(note)
+            missed += self._left_out([s for s, n in zip(spans, lost, strict=True) if n is None])
             if not all(lost):
                 self._attach([s for s, n in zip(spans, lost, strict=True) if n is None])
         update = {"clauses": tuple(clauses), "background": tuple(background), "not_understood": tuple(missed)}
@@ -91,6 +94,16 @@ class _Account:
             whole = replace(first, reason="; ".join(reasons) if first.background else NOTHING)
             return [((spans[0][0], max(e for _, e in spans)), whole)]
         return told
+
+    def _left_out(self, spans: list[Span]) -> list[Unmet]:
+        """What was read in clauses that otherwise became part of S, and S does not have: deeds and values."""
+        text, notes = self.scene.text, []
+        for event, cid in untaken(self.scene, self.structure):
+            word = self.scene.words[event.word]
+            at = (word.start, word.end)
+            notes.append(Unmet(text=text[slice(*at)], reason=NO_STEP.format(event.act.replace("_", " "), cid), span=at))
+        notes += [Unmet(text=text[slice(*at)], reason=NO_VALUE, span=at) for at in unheld(self.scene, self.structure)]
+        return [n for n in notes if n.span and _meets(n.span, spans) and not _meets(n.span, self.notes)]
 
     def _attach(self, understood: list[Span]) -> None:
         """A clause that was understood with no words of it linked yet is the component's that was spoken of last."""

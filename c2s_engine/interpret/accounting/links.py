@@ -1,18 +1,32 @@
 """What in the text each field of S rests on."""
 
+import math
+from collections.abc import Iterator
+from typing import get_args
+
 from c2s_engine.interpret import language
+from c2s_engine.interpret.composing.run_limits import limits_of
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.structure.components import Component, Link, Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
+from c2s_engine.structure.vocabulary import Action
+
+STATES = ("travel", "stationary", "keep_lane", "move_along", "go_straight")
+"""Acts that a speed or a start says, too."""
+
+
+VALUES = ("speed", "distance", "time", "acceleration")
+"""Dimensions of values that fields hold as they are told."""
 
 
 def linked(scene: Scene, structure: Structure) -> Structure:
     """S, each component with the words that its fields rest on; whom it names comes first."""
     for entity, cid in owners(scene, structure).items():
         component = structure[cid]
-        links = [_link(scene, (m.start, m.end)) for m in entity.mentions]
+        first = "" if cid == "E" else "type"  # that somebody is there
+        links = [_link(scene, (m.start, m.end), "" if n else first) for n, m in enumerate(entity.mentions)]
         links += [_of_event(scene, component, e) for e in scene.clauses.events if _tells_of(scene, entity, e)]
         if (speed := scene.speeds.get(entity)) is not None:
             links.append(_link(scene, (speed[2], speed[3]), "speed"))
@@ -26,9 +40,10 @@ def linked(scene: Scene, structure: Structure) -> Structure:
     if settings.ego_model:
         structure = _with(structure, "E", [_link(scene, settings.ego_model.span, "model")])
     named = PlaceSpec.model_fields
-    place = [_link(scene, s, name if name in named else "") for name, s in scene.road.spans.items()]
+    place = [_link(scene, s, name if name in named else "kind") for name, s in scene.road.spans.items()]
     structure = _with(structure, "R", place)
-    return _with(structure, "T", [_link(scene, s, "terminate_when") for s in scene.endings])
+    bounds = [_link(scene, told.span, f"limits.{i}") for i, (told, _) in enumerate(limits_of(scene, scene.ids))]
+    return _with(structure, "T", bounds + [_link(scene, s, "terminate_when") for s in scene.endings])
 
 
 def owners(scene: Scene, structure: Structure) -> dict[Entity, str]:
@@ -47,6 +62,42 @@ def _of_event(scene: Scene, component: Component, event: Event) -> Link:
     word = scene.words[event.word]
     field = "" if event.mode == "negated" else field_of(component, event.act)
     return _link(scene, (word.start, word.end), field)
+
+
+def untaken(scene: Scene, structure: Structure) -> Iterator[tuple[Event, str]]:
+    """What somebody of S does by the text, as an action would say it, and S does not: with the component."""
+    acts = language.table("acts")
+    turns = getattr(structure.place.spec, "manoeuvre", None) is not None
+    for entity, cid in owners(scene, structure).items():
+        for event in scene.clauses.events:
+            steps = event.act in acts["phases"] or event.act in get_args(Action)
+            if not (steps and event.done and _tells_of(scene, entity, event)) or event.act in STATES:
+                continue
+            if cid == "E" and turns and event.act in ("turn", "u_turn"):
+                continue
+            if not field_of(structure[cid], event.act):
+                yield event, cid
+
+
+def unheld(scene: Scene, structure: Structure) -> Iterator[tuple[int, int]]:
+    """Where values stand in the text that no field of S has; times also as the way that is driven in them."""
+    held = [n for c in structure.components for n in _numbers(c.spec.model_dump())]
+    speeds = [n for c in (structure.ego, *structure.objects) for n in _numbers(getattr(c.spec, "speed", None))]
+    for span in (s for s in scene.spans if s.kind == "quantity" and s.data["dimension"] in VALUES):
+        ends = (span.data["low"], span.data["high"], (span.data["low"] + span.data["high"]) / 2)
+        if span.data["dimension"] == "time":
+            ends = (*ends, *(end * speed for end in ends for speed in speeds))
+        if not any(math.isclose(n, end, rel_tol=0.02, abs_tol=0.06) for n in held for end in ends):
+            yield span.start, span.end
+
+
+def _numbers(value: object) -> Iterator[float]:
+    """The numbers in plain data."""
+    if isinstance(value, dict | list | tuple):
+        for inner in value.values() if isinstance(value, dict) else value:
+            yield from _numbers(inner)
+    elif isinstance(value, int | float) and not isinstance(value, bool):
+        yield float(value)
 
 
 def field_of(component: Component, act: str) -> str:

@@ -42,7 +42,7 @@ def distance(clause: str, structure: Structure) -> Found | None:
     if quantity is not None and not re.search(_table()["so_much_further"], clause):
         relative = wider = None  # a distance to have, not one more or less
     factor = _by_a_share(clause, relative or wider)
-    now = spec.placement.gap
+    now = component.amount("placement.gap")
     base = middle(now) if now is not None else 25.0
     value: Any
     if quantity is None:

@@ -11,10 +11,10 @@ from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.interpret.changes.speed import walked
 from c2s_engine.interpret.changes.told import introduced
 from c2s_engine.interpret.changes.unshown import unshown
-from c2s_engine.interpret.composing import describe
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import AddObject, Edit, EditError, SetField, apply
+from c2s_engine.structure.sentences import sentence
 
 Found = tuple[list[Edit], str]
 
@@ -125,18 +125,11 @@ def _object(edit: Edit) -> str | None:
 
 def described(before: Structure, after: Structure) -> list[Edit]:
     """The sentences of the components whose specs changed."""
-    names = {c.id: c.spec.name for c in after.objects}  # type: ignore[union-attr]
     edits: list[Edit] = []
     for component in after.components:
         if component.id in before and before[component.id].spec == component.spec or component.id == "T":
             continue
-        spec: Any = component.spec
-        if component.id == "E":
-            words = describe.ego(spec, after.place.spec, names)  # type: ignore[arg-type]
-        elif component.id.startswith("O"):
-            words = describe.obj(spec, names)
-        else:
-            words = describe.place(spec) if component.id == "R" else describe.settings(spec)
+        words = sentence(component, after)
         if words != component.description:
             edits.append(SetField(component=component.id, path="description", value=words))
     return edits

@@ -5,10 +5,10 @@ from functools import lru_cache
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
-from c2s_engine.interpret.composing import describe
 from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.interpret.reading import amounts, scan
 from c2s_engine.interpret.spans import Span
+from c2s_engine.structure import sentences as describe
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.specs import EgoSpec, PlaceSpec, SettingsSpec
 
@@ -112,7 +112,7 @@ def scene(structure: Structure, told: str) -> str:
     assert isinstance(ego, EgoSpec)
     own = {"speed": None} if mover is not None and mover.id == "E" else {}
     still = ego.model_copy(update={"phases": (), "reaction": "none", **own})
-    sentences = [describe.place(place), describe.ego(still, place, names)]
+    sentences = [describe.place(place), describe.ego(still, names)]
     told_of: set[str] = set()
     for component in structure.objects:
         if located is not None and component.id == located.id:

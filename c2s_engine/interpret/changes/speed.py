@@ -122,8 +122,8 @@ def _at_speed(
     component: Component, quantity: dict[str, Any] | None, change: float | None, base: Component | None
 ) -> tuple[Edit, str]:
     """One component at a speed, or changed from its own or another's (`base`)."""
-    spec: Any = component.spec if base is None else base.spec
-    now = middle(spec.speed) if spec.speed is not None else 10.0
+    speed = (component if base is None else base).amount("speed")
+    now = middle(speed) if speed is not None else 10.0
     value: Any
     if quantity is None:
         value = round(max(0.5, now * (change or 1.0)), 2)

@@ -2,7 +2,7 @@
 
 import re
 
-from c2s_engine.interpret.composing import describe, objects, unmet
+from c2s_engine.interpret.composing import objects, unmet
 from c2s_engine.interpret.composing.awaited import waited_for
 from c2s_engine.interpret.composing.drivers import compose_ego
 from c2s_engine.interpret.composing.objects import Draft
@@ -14,6 +14,7 @@ from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.surroundings.environment import PRESET_TIME
 from c2s_engine.interpret.surroundings.settings import ACCEPTED, DEFAULTS, Settings
 from c2s_engine.interpret.who.mentions import ZONES, Entity
+from c2s_engine.structure import sentences as describe
 from c2s_engine.structure.components import Assumption, Component, Structure
 from c2s_engine.structure.specs import EgoSpec, SettingsSpec
 
@@ -81,7 +82,7 @@ def compose(scene: Scene) -> Structure:
     described = [c.model_copy(update={"description": describe.obj(c.spec, names)}) for c in structure.objects]  # type: ignore[arg-type]
     return structure.model_copy(
         update={
-            "ego": structure.ego.model_copy(update={"description": describe.ego(ego, place, names)}),
+            "ego": structure.ego.model_copy(update={"description": describe.ego(ego, names)}),
             "objects": tuple(described),
         }
     )

@@ -1,4 +1,4 @@
-"""T: when the run is over, where the text tells."""
+"""T: what must be kept to all along, and when the run is over, where the text tells."""
 
 import re
 from functools import cache
@@ -7,7 +7,8 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
-from c2s_engine.structure.specs import Condition, EgoSpec, RestrictionsSpec
+from c2s_engine.interpret.what.limits_told import LimitTold
+from c2s_engine.structure.specs import Condition, EgoSpec, Limit, RestrictionsSpec
 
 
 @cache
@@ -31,7 +32,23 @@ def restrictions(scene: Scene, ids: dict[Entity, str], ego: EgoSpec) -> Restrict
         if halt is not None and ego.speed != 0:
             stops = next((e.agent for e in events if e.act in ("stop", "brake_stop", "stationary")), scene.cast.ego)
             found.append(Condition(kind="stopped", subject=ids.get(stops, "ego")))
-    return RestrictionsSpec(terminate_when=tuple(found), duration=None)  # type: ignore[arg-type]
+    limits = tuple(limit for _, limit in limits_of(scene, ids))
+    return RestrictionsSpec(limits=limits, terminate_when=tuple(found), duration=None)  # type: ignore[arg-type]
+
+
+def limits_of(scene: Scene, ids: dict[Entity, str]) -> list[tuple[LimitTold, Limit]]:
+    """The bounds on those who are in the scene, as told and as T has them."""
+    return [(told, limit) for told in scene.limits if (limit := _limit(told, ids)) is not None]
+
+
+def _limit(told: LimitTold, ids: dict[Entity, str]) -> Limit | None:
+    """The bound for who is in the scene; of what is told of somebody else, none."""
+    subject = "ego" if told.subject.ego else ids.get(told.subject)
+    if subject is None:
+        return None
+    other = None if told.other is None else "ego" if told.other.ego else ids.get(told.other)
+    low, high = (None if v is None else round(v, 2) for v in (told.minimum, told.maximum))
+    return Limit(kind=told.kind, subject=subject, other=other, minimum=low, maximum=high)  # type: ignore[arg-type]
 
 
 def _collision(scene: Scene, ids: dict[Entity, str], events: list[Event], start: int, end: int) -> list[Condition]:

@@ -5,10 +5,10 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import Any
 
-from c2s_engine.interpret.composing import describe
 from c2s_engine.interpret.language import table
 from c2s_engine.interpret.llm import words
 from c2s_engine.interpret.llm.units import quantities
+from c2s_engine.structure import sentences as describe
 from c2s_engine.structure.components import ComponentId, Structure, Unmet
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.specs import AnySpec, Condition, EgoSpec, ObjectSpec, Phase, PlaceSpec, RestrictionsSpec
@@ -39,16 +39,15 @@ def told(structure: Structure, said: Mapping[ComponentId, str]) -> Structure:
 def sentence(cid: ComponentId, spec: AnySpec, structure: Structure) -> str:
     """A component's sentence by its spec among those of S."""
     names = {o.id: o.spec.name for o in structure.objects if isinstance(o.spec, ObjectSpec)}
-    place = structure.place.spec
     if isinstance(spec, ObjectSpec):
         made, more = describe.obj(spec, names), [*_placed(spec), *_steps(spec.phases, names)]
     elif isinstance(spec, EgoSpec):
-        made = describe.ego(spec, place if isinstance(place, PlaceSpec) else PlaceSpec(), names)
+        made = describe.ego(spec, names)
         more = [*_steps(spec.phases, names)]
     elif isinstance(spec, PlaceSpec):
         made, more = describe.place(spec), [*_around(spec)]
     elif isinstance(spec, RestrictionsSpec):
-        made = describe.restrictions(spec, names) if spec.terminate_when or spec.duration else ""
+        made = describe.restrictions(spec, names) if spec.limits or spec.terminate_when or spec.duration else ""
         held = [_condition(c, names) for c in spec.require]
         return " ".join(s for s in (f"At the start {' and '.join(held)}." if held else "", made) if s)
     else:

@@ -172,6 +172,8 @@ def _builder(cid: str, still: bool = False) -> Callable[[dict[str, Any]], tuple[
         for name in ("require", "terminate_when"):
             if name in value:
                 value[name] = [c for c in value[name] if _says_something(c)]
+        if "limits" in value:
+            value["limits"] = [c for c in value["limits"] if _bounds_something(c)]
         if still and not words.is_thing(value["type"]):
             value["speed"] = 0
         unmet = (Unmet(text=left, reason="the form has no field for it"),) if left.strip() else ()
@@ -189,6 +191,16 @@ def _says_something(condition: dict[str, Any]) -> bool:
     if condition["kind"] in _OF_TWO:
         condition.setdefault("other", "ego")
     return condition["kind"] not in _OF_TWO or condition["other"] != condition.get("subject", "ego")
+
+
+def _bounds_something(limit: dict[str, Any]) -> bool:
+    """Whether a limit says how much; turned bounds are set right."""
+    low, high = limit.get("minimum"), limit.get("maximum")
+    if low is not None and high is not None and low > high:
+        limit["minimum"], limit["maximum"] = high, low
+    if limit.get("other") == limit.get("subject", "ego"):
+        limit.pop("other", None)
+    return limit["kind"] == "collision" or low is not None or high is not None
 
 
 def share_without_fallback(structure: Structure) -> float:

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from c2s_engine.structure.components import Assumption, ComponentId, Structure
-from c2s_engine.structure.quantity import high
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Spec
+from c2s_engine.structure.quantity import Quantity, high, in_words
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec, Spec
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.planning import make_plan
@@ -17,11 +17,10 @@ from c2s_engine.write.typed.reactions import reacting_phases
 from c2s_engine.write.typed.spread import spread
 from c2s_engine.write.typed.tables import BLUEPRINTS, HEIGHT, LENGTH, is_static
 from c2s_engine.write.typed.threats import threatening
-from c2s_engine.write.typed.usual import speed_of
+from c2s_engine.write.typed.usual import crosses, default_gap, speed_of
+from c2s_engine.write.typed.usual_values import TIMED
 
 BY = "writer"
-UNITS = {"gap": "m", "spacing": "m", "distance": "m", "duration": "s", "rate": "m/s2", "value": ""}
-SPEEDS = ("speed", "limit", "speed_limit")
 
 
 def with_decisions(structure: Structure, room: float) -> Structure:
@@ -51,8 +50,9 @@ def _decided(structure: Structure, written: Structure, plan: Plan, cid: Componen
     if isinstance(spec, EgoSpec):
         phases = reacting_phases(spec, threatening(written), written, plan)
         spec = spec.model_copy(update={"phases": phases, "speed": _speed(spec, plan)})
-    elif isinstance(spec, ObjectSpec) and not is_static(spec):
-        spec = spec.model_copy(update={"speed": _speed(spec, plan)})
+    elif isinstance(spec, ObjectSpec):
+        speed = spec.speed if is_static(spec) else _speed(spec, plan)
+        spec = spec.model_copy(update={"speed": speed, "placement": _placed(spec, plan)})
     if isinstance(asked, ObjectSpec) and asked.type in HEIGHT and asked.model is None:
         reason = f"CARLA has no {asked.type}: {BLUEPRINTS[asked.type][0]} stands in, as large as one in the dry run"
         size = f"{LENGTH[asked.type]:g} m long, {HEIGHT[asked.type]:g} m high"
@@ -61,7 +61,22 @@ def _decided(structure: Structure, written: Structure, plan: Plan, cid: Componen
         reason = "left open: the writer's choice" if was is None else f"written so for {_shown(path, was)}"
         if was is None and path.endswith("speed") and (pace := _pace(asked, path)):
             reason = f"what {pace.replace('_', ' ')!r} means of a {asked.type.replace('_', ' ')} (data/paces.yaml)"  # type: ignore[union-attr]
-        yield Assumption(field=path, value=_shown(path, now), reason=reason, by=BY)
+        yield Assumption(field=path, value=_shown(path, now), reason=reason, by=BY, amount=_amount(now))
+
+
+def _amount(value: Any) -> Quantity | None:
+    """A value where it is a number or a range of numbers."""
+    parts = value if isinstance(value, tuple) and len(value) == 2 else (value,)
+    return value if all(isinstance(p, float | int) and not isinstance(p, bool) for p in parts) else None
+
+
+def _placed(spec: ObjectSpec, plan: Plan) -> Placement:
+    """Where it starts, with the gap that is written for it; where it starts to meet ego, that is no gap."""
+    placement = spec.placement
+    if placement.gap is not None or placement.position in TIMED or crosses(spec):
+        return placement
+    gap = default_gap(spec, plan.ego_speed, plan.place)
+    return placement.model_copy(update={"gap": round(gap, 1)}) if gap else placement
 
 
 def _pace(asked: Spec, path: str) -> str | None:
@@ -94,15 +109,14 @@ def differences(asked: Spec, written: Spec, path: str = "") -> Iterator[tuple[st
 
 def _shown(path: str, value: Any) -> str:
     """A field's value in the user's units."""
-    name = path.rsplit(".", 1)[-1]
     if isinstance(value, tuple):
         if all(isinstance(v, Phase) for v in value):
             return ", ".join(v.action for v in value) or "no phase"
-        return " to ".join(_shown(path, v) for v in value)
+        return in_words(path, value) if _amount(value) is not None else ", ".join(_shown(path, v) for v in value)
     if isinstance(value, bool) or value is None:
         return {True: "yes", False: "no", None: "nothing"}[value]
     if isinstance(value, float | int):
-        return f"{value * 3.6:.3g} km/h" if name in SPEEDS else f"{value:.4g} {UNITS.get(name, '')}".strip()
+        return in_words(path, value)
     if isinstance(value, Spec):
         return ", ".join(f"{k} {_shown(k, getattr(value, k))}" for k in type(value).model_fields if getattr(value, k))
     return str(value).replace("_", " ")

@@ -1,5 +1,6 @@
 """Reactions: what drivers do when others force them to, laid around what they do of their own accord."""
 
+import math
 import re
 
 from c2s_engine.structure.components import Structure
@@ -72,7 +73,7 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     stops_for = {p.target for p in spec.phases if p.action == "stop"}
     full = grip(actor.structure, FULL, DRY) if spec.hard and not stands else 0
     stated = [middle(p.rate) for p in spec.phases if p.action in ("brake", "stop") and p.rate is not None]
-    full = stated[0] if full and stated else full
+    full = min(stated[0] if full and stated else full, _hardest(actor.structure))
     limit = round(LAST_MOMENT * full, 1) if full else limit
     if not on_foot:
         brakes = _stops(threats, full) if full else _brakes(threats, rate, stands=limit if stands else 0)
@@ -89,6 +90,13 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
         *_around(statements, others, limit, _brakes(others, rate, stands=limit if stands else 0) if others else ""),
         *_stop_for(actor, on_foot, spec.hard, before_them),
     ]
+
+
+def _hardest(structure: Structure) -> float:
+    """m/s2 with which T lets ego brake at most."""
+    limits = getattr(structure.restrictions.spec, "limits", ())
+    told = [li.maximum for li in limits if li.kind == "deceleration" and li.subject == "ego" and li.maximum]
+    return min(told, default=math.inf)
 
 
 def _position(structure: Structure, cid: str) -> str:

@@ -15,7 +15,7 @@ from c2s_engine.write.typed.contradictions import contradictions
 
 SPECS = (
     specs.SettingsSpec, specs.PlaceSpec, specs.EgoSpec, specs.ObjectSpec, specs.Placement, specs.Phase, specs.Trigger,
-    specs.RestrictionsSpec, specs.Condition,
+    specs.RestrictionsSpec, specs.Condition, specs.Limit,
 )  # fmt: skip
 
 

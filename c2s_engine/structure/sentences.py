@@ -1,21 +1,76 @@
 """One sentence for each component, in plain words (shown in the panes, and the query of the retrieval)."""
 
 import re
+from functools import cache
+from importlib import resources
+from typing import Any
 
-from c2s_engine.interpret.language import plurals, table
-from c2s_engine.require.watched import JUDGED_HERE, NEW_PLACES, clause
-from c2s_engine.structure.components import Structure
-from c2s_engine.structure.quantity import high, low
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, RestrictionsSpec, SettingsSpec, Trigger
+import yaml
+
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.quantity import Quantity, high, low
+from c2s_engine.structure.specs import (
+    EgoSpec,
+    Limit,
+    ObjectSpec,
+    Phase,
+    PlaceSpec,
+    RestrictionsSpec,
+    SettingsSpec,
+    Trigger,
+)
+from c2s_engine.structure.triggers import JUDGED_HERE, NEW_PLACES, clause
 
 
-def km_h(speed) -> str:  # noqa: ANN001
+@cache
+def _words() -> dict[str, Any]:
+    text = resources.files("c2s_engine.data").joinpath("language", "sentences.yaml").read_text(encoding="utf-8")
+    return {**yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))}
+
+
+def plurals(noun: str) -> list[str]:
+    """The plural forms of a noun phrase, by rule (its last word takes the ending)."""
+    head, _, last = noun.rpartition(" ")
+    lead = f"{head} " if head else ""
+    if last in IRREGULAR:
+        return [lead + IRREGULAR[last]]
+    if re.search(r"(s|x|z|ch|sh)$", last):
+        return [f"{lead}{last}es"]
+    if re.search(r"[^aeiou]y$", last):
+        return [f"{lead}{last[:-1]}ies"]
+    if last.endswith("man"):
+        return [f"{lead}{last[:-3]}men"]
+    if last.endswith("child"):
+        return [f"{lead}{last}ren"]
+    if last.endswith("lf"):
+        return [f"{lead}{last[:-1]}ves"]
+    return [f"{lead}{last}s"]
+
+
+IRREGULAR = {
+    "person": "persons",
+    "child": "children",
+    "deer": "deer",
+    "sheep": "sheep",
+    "moose": "moose",
+    "cattle": "cattle",
+    "debris": "debris",
+    "people": "people",
+    "bus": "buses",
+    "goose": "geese",
+    "works": "works",
+    "wildlife": "wildlife",
+    "traffic": "traffic",
+}
+
+
+def km_h(speed: Quantity) -> str:
     """A speed for readers."""
     a, b = low(speed) * 3.6, high(speed) * 3.6
     return f"{a:.0f} km/h" if b - a < 0.5 else f"{a:.0f} to {b:.0f} km/h"
 
 
-def _metres(value) -> str:  # noqa: ANN001
+def _metres(value: Quantity) -> str:
     a, b = low(value), high(value)
     return f"{a:.0f} m" if b - a < 0.5 else f"{a:.0f} to {b:.0f} m"
 
@@ -34,7 +89,7 @@ def _named(name: str, names: dict[str, str]) -> str:
 
 
 def _phase(phase: Phase, names: dict[str, str], many: bool) -> str:
-    words = table("sentences")["actions"][phase.action].format(target=_named(phase.target or "ego", names))
+    words = _words()["actions"][phase.action].format(target=_named(phase.target or "ego", names))
     if phase.action == "brake" and phase.rate and low(phase.rate) >= 4:
         words += " hard"
     if phase.side and phase.action in ("lane_change", "swerve", "drift", "leave_road", "cut_out"):
@@ -46,7 +101,7 @@ def _phase(phase: Phase, names: dict[str, str], many: bool) -> str:
     if trigger and (trigger.subject is not None or trigger.kind in JUDGED_HERE or trigger.place in NEW_PLACES):
         words += f" when {_watched(trigger, names)}"
     elif trigger and trigger.value is not None:
-        pattern = table("sentences")["triggers"].get(trigger.kind)
+        pattern = _words()["triggers"].get(trigger.kind)
         words += " " + pattern.format(value=low(trigger.value), place=trigger.place) if pattern else ""
         words += f", and {low(trigger.delay):g} s later" if trigger.delay is not None else ""
     if phase.until:
@@ -61,7 +116,7 @@ def _watched(trigger: Trigger, names: dict[str, str]) -> str:
 
 def _manners(phase: Phase, names: dict[str, str]) -> list[str]:
     """How it does what it does: in words, at which gap, with which part, with how much room."""
-    said, target = table("sentences"), _named(phase.target or "ego", names)
+    said, target = _words(), _named(phase.target or "ego", names)
     values = {
         "pace": phase.pace and said["paces"][phase.pace],
         "gap": phase.gap is not None and _metres(phase.gap),
@@ -85,7 +140,7 @@ def obj(spec: ObjectSpec, names: dict[str, str] | None = None) -> str:
     """An object's sentence."""
     names, place, many = _names(names), spec.placement, spec.count > 1
     along = {"behind": "behind", "abreast": "abreast of"}.get(place.along or "", "ahead of")
-    where = table("sentences")["positions"][place.position].format(
+    where = _words()["positions"][place.position].format(
         of=_named(place.of, names), side=place.side or "right", along=along
     )
     noun = spec.type.replace("_", " ")
@@ -104,18 +159,18 @@ def obj(spec: ObjectSpec, names: dict[str, str] | None = None) -> str:
     if spec.speed is not None and high(spec.speed) > 0.1:
         text += f", at {km_h(spec.speed)}"
     elif spec.pace:
-        text += f", {table('sentences')['paces'][spec.pace]}"
+        text += f", {_words()['paces'][spec.pace]}"
     steps = _steps(spec.phases, names, many)
     return f"{text}; {'they' if many else 'it'} {steps}." if steps else f"{text}."
 
 
-def _after(arrives, ego: str) -> str:  # noqa: ANN001
+def _after(arrives: Quantity, ego: str) -> str:
     seconds = low(arrives)
     when = "after" if seconds > 0 else "before"
     return f"{abs(seconds):g} s {when} {ego}" if seconds else f"together with {ego}"
 
 
-def ego(spec: EgoSpec, place: PlaceSpec, names: dict[str, str] | None = None) -> str:
+def ego(spec: EgoSpec, names: dict[str, str] | None = None) -> str:
     """Ego's sentence."""
     names = _names(names)
     text = f"Ego, a {spec.type.replace('_', ' ')},"
@@ -124,7 +179,7 @@ def ego(spec: EgoSpec, place: PlaceSpec, names: dict[str, str] | None = None) ->
         if spec.speed is not None and high(spec.speed) > 0.1
         else " stands at first"
         if spec.speed is not None
-        else f" drives {table('sentences')['paces'][spec.pace]}"
+        else f" drives {_words()['paces'][spec.pace]}"
         if spec.pace
         else " drives"
     )
@@ -132,7 +187,7 @@ def ego(spec: EgoSpec, place: PlaceSpec, names: dict[str, str] | None = None) ->
     if steps:
         text += f"; it {steps}"
     reaction = "brake_hard" if spec.reaction == "brake" and spec.hard else spec.reaction
-    words = table("sentences")["reactions"].get(reaction)
+    words = _words()["reactions"].get(reaction)
     if words:
         text += "; " + words.format(target=_named(spec.react_to, names) if spec.react_to else "the other")
     return text + "."
@@ -140,7 +195,7 @@ def ego(spec: EgoSpec, place: PlaceSpec, names: dict[str, str] | None = None) ->
 
 def place(spec: PlaceSpec) -> str:
     """The place's sentence."""
-    words = table("sentences")
+    words = _words()
     text = words["places"][spec.kind].capitalize()
     if spec.kind == "intersection":
         if spec.arms:
@@ -168,7 +223,7 @@ def place(spec: PlaceSpec) -> str:
 
 def settings(spec: SettingsSpec) -> str:
     """The settings' sentence."""
-    sky = " and ".join(table("sentences")["weather"][w] for w in spec.weather or ("clear",))
+    sky = " and ".join(_words()["weather"][w] for w in spec.weather or ("clear",))
     text = f"{sky.capitalize()}, {spec.time or 'day'}"
     text += f", map {spec.map}" if spec.map else ""
     text += f", ego's light {spec.light}" if spec.light else ""
@@ -178,9 +233,22 @@ def settings(spec: SettingsSpec) -> str:
     return text + "."
 
 
+def limit(spec: Limit, names: dict[str, str] | None = None) -> str:
+    """What a run must keep to all along, without its full stop."""
+    known = _names(names)
+    shown = km_h if spec.kind == "speed" else "{:g}".format
+    bounds = [f"at least {shown(spec.minimum)}"] if spec.minimum is not None else []
+    bounds += [f"at most {shown(spec.maximum)}"] if spec.maximum is not None else []
+    other = _named(spec.other, known) if spec.other else "anybody"
+    words = _words()["limits"][spec.kind].format(bounds=" and ".join(bounds), other=other)
+    subject = _named(spec.subject, known)
+    return f"{subject[0].upper()}{subject[1:]} {words}"
+
+
 def restrictions(spec: RestrictionsSpec, names: dict[str, str] | None = None) -> str:
-    """The sentence on the run's end."""
-    words, known = table("sentences")["ends"], _names(names)
+    """The sentences on what holds all along, and on the run's end."""
+    words, known = _words()["ends"], _names(names)
+    kept = [f"{limit(one, names)}." for one in spec.limits]
     ends = []
     for c in spec.terminate_when:
         other = _named(c.other, known) if c.other else "the other"
@@ -189,23 +257,41 @@ def restrictions(spec: RestrictionsSpec, names: dict[str, str] | None = None) ->
         ends.append(words[c.kind].format(**values, action=action))
     if spec.duration:
         ends.append(words["time"].format(minimum=f"{spec.duration:g}"))
-    return f"The run ends {' or '.join(ends)}." if ends else "No restriction beyond the scene itself."
+    kept += [f"The run ends {' or '.join(ends)}."] if ends else []
+    return " ".join(kept) or "No restriction beyond the scene itself."
 
 
 def described(structure: Structure) -> Structure:
     """S with a sentence for each component, from its spec."""
-    names = {c.id: c.spec.name for c in structure.objects if isinstance(c.spec, ObjectSpec)}
     for component in structure.components:
-        match component.spec:
-            case SettingsSpec():
-                words = settings(component.spec)
-            case PlaceSpec():
-                words = place(component.spec)
-            case EgoSpec():
-                words = ego(component.spec, structure.place.spec, names)  # type: ignore[arg-type]
-            case ObjectSpec():
-                words = obj(component.spec, names)
-            case _:
-                words = restrictions(component.spec, names)
-        structure = structure.with_component(component.model_copy(update={"description": words}))
+        structure = structure.with_component(
+            component.model_copy(update={"description": sentence(component, structure)})
+        )
     return structure
+
+
+def sentence(component: Component, structure: Structure) -> str:
+    """What a component's spec says, amid the others of S."""
+    names = {c.id: c.spec.name for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+    match component.spec:
+        case SettingsSpec():
+            return settings(component.spec)
+        case PlaceSpec():
+            return place(component.spec)
+        case EgoSpec():
+            return ego(component.spec, names)
+        case ObjectSpec():
+            return obj(component.spec, names)
+        case _:
+            return restrictions(component.spec, names)
+
+
+def retold(before: Structure, after: Structure) -> Structure:
+    """S after a change, each sentence that said what the spec did saying what it does now: a sentence of the user's
+    own stays, and so does that of a component whose code is not written from its spec."""
+    for was in (c for c in before.components if c.id in after):
+        component = after[was.id]
+        if component.origin == "rendered" and component.description == was.description == sentence(was, before):
+            now = sentence(component, after)
+            after = after.with_component(component.model_copy(update={"description": now}))
+    return after

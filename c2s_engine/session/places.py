@@ -1,7 +1,7 @@
 """Which map a structure is written for, and whether that map has its place (DESIGN, "R")."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from c2s_engine.check.client import CheckClient, CheckError
 from c2s_engine.check.protocol import PlacesRequest
@@ -24,12 +24,14 @@ ROOMS = (1.0, 0.7, 0.45, 0.25)
 
 @dataclass(frozen=True)
 class Resolution:
-    """The map and the fit, how many places match, and what was assumed about it; or why nothing fits."""
+    """The map and the fit, how many places match, and what was assumed about it; or why nothing fits. `less`: 0 where
+    the map has all the road that the structure takes, more the less of it there is."""
 
     writer: TypedWriter | None
     count: int = 0
     assumed: tuple[Assumption, ...] = ()
     diagnostic: Diagnostic | None = None
+    less: int = 0
 
 
 def map_choice(library: MapLibrary, map_file: MapFile) -> MapChoice:
@@ -72,7 +74,8 @@ async def resolve(
     default: str | None = None,
     offers: bool = True,
 ) -> Resolution:
-    """Find a map that has the place: the one given, else the text's, else the first of those at hand.
+    """Find a map that has the place: the one given, else the text's, else the one that it was on before, else of those
+    at hand the first with all the road that it takes, or with the most of it; the shipped one only if no other has it.
 
     A map that the caller gives must do: where it is not there or lacks the place, that is a diagnostic.
     `offers`: whether a refusal names what would do.
@@ -80,9 +83,13 @@ async def resolve(
     if (error := contradiction(structure)) is not None:
         return Resolution(None, diagnostic=_diagnostic(str(error), "contradiction", error.fields))
     named = named_map(structure)
-    names = (given,) if given else tuple(dict.fromkeys(n for n in (named, *at_hand(library, default)) if n))
-    lacking = ""
+    before = next((str(a.value) for a in structure.settings.assumed if a.field == "map"), None)
+    beyond = (*((before,) if before in library.names() else ()), *at_hand(library, default))
+    names = (given,) if given else tuple(dict.fromkeys(n for n in (named, *beyond) if n))
+    lacking, best = "", Resolution(None, less=len(ROOMS) + 1)
     for wanted in names:
+        if wanted == SHIPPED and wanted != named and best.writer is not None:
+            break
         try:
             found = await on_map(structure, library, check, wanted)
         except (MapNotFound, BrokenMap) as error:
@@ -98,10 +105,15 @@ async def resolve(
             continue
         if found is not None and wanted in (given, named):
             return found
-        if found is not None and found.writer is not None:
-            assumed = Assumption(field="map", value=found.writer.map.name, reason=lacking or _chosen(wanted, library))
-            return Resolution(found.writer, found.count, (assumed,))
+        if found is not None and found.less < best.less:
+            best = found
+            if best.less == 0 or wanted == before:
+                break
         lacking = lacking or (f"{wanted} has no such place" if wanted == named else "")
+    if best.writer is not None:
+        chosen = best.writer.map.name
+        assumed = Assumption(field="map", value=chosen, reason=lacking or _chosen(chosen, library))
+        return replace(best, assumed=(assumed,))
     nearest = await _offers(structure, library, check, given) if offers else ""
     lack = f"{given} has no such place" if given else "no map at hand has such a place"
     return Resolution(None, diagnostic=_diagnostic(f"{lack}. {nearest}", "no-place", ("R",)))
@@ -122,11 +134,17 @@ async def first_on_map(
     """
     choice = map_choice(library, library.find(name))
     writers = [TypedWriter(choice, room=room) for room in ROOMS]
-    fits: dict[str, tuple[int, TypedWriter]] = {}
+    fits: dict[str, tuple[int, TypedWriter, int]] = {}
     for number, structure in enumerate(structures):
         if contradiction(structure) is None and not lacks(structure, choice.extras):
-            for writer in writers:
-                fits.setdefault(writer.candidates(structure), (number, writer))
+            plain = writers[0].candidates(structure)
+            for less, writer in enumerate(writers):
+                least = writers[0].candidates(structure, share=writer.room)
+                if least == plain:  # no stretch of road
+                    fits.setdefault(writer.candidates(structure), (number, writer, less))
+                else:
+                    fits.setdefault(least, (number, writers[0], less))
+            fits.setdefault(plain, (number, writers[0], len(writers)))
     if not fits:
         return None
     expressions = {expression: expression for expression in fits}
@@ -135,8 +153,8 @@ async def first_on_map(
         raise CheckError(next(iter(report.errors.values())))
     for expression, count in report.counts.items():
         if count:
-            number, writer = fits[expression]
-            return number, Resolution(writer, count)
+            number, writer, less = fits[expression]
+            return number, Resolution(writer, count, less=less)
     return None
 
 

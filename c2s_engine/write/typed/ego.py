@@ -8,11 +8,11 @@ from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.lanes import pulls_out
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.settings import lights
-from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS, TURN
+from c2s_engine.write.typed.tables import BLUEPRINTS, CLASS, RAMP, TURN
 from c2s_engine.write.typed.threats import threatening
 from c2s_engine.write.typed.usual import speed_of
 
+ACROSS = {"crossing_left", "crossing_right"}
 DEFAULT_MODEL = "vehicle.lincoln.mkz_2017"
 
 
@@ -28,27 +28,25 @@ def _start(spec: EgoSpec, said: EgoSpec) -> list[str]:
     ]
 
 
-TURNS_GREEN = """
-monitor TurnsGreen():
-    wait
-    while ego.speed > 0.3:
-        wait
-    while True:
-        setClosestTrafficLightStatus(ego, 'green')
-        wait
-require monitor TurnsGreen()"""
+NO_LIGHTS = {"motorway", *RAMP}
+"""Kinds of places where nobody comes to a light."""
 
 
 def _lights(structure: Structure, plan: Plan, spec: EgoSpec) -> list[str]:
-    """The light that ego comes to, where S leaves it open; a red one turns green where ego stops at it and goes on."""
-    light, actions = getattr(structure.settings.spec, "light", None), [p.action for p in spec.phases]
-    if plan.place.control != "signal" or "run_red" in actions:
+    """The lights that everybody comes to: green, but ego's at its junction as S says or as what is done there asks."""
+    if plan.place.kind in NO_LIGHTS or plan.ramp:
         return []
-    if light is None:
-        return lights("green")
+    light, actions = getattr(structure.settings.spec, "light", None), [p.action for p in spec.phases]
+    crossing = any(position in ACROSS for position, _ in plan.ways_of_others)
+    unregulated = "off" if crossing and plan.place.control is None else "green"
+    shown = light or ("red" if "run_red" in actions else unregulated)
     stop = next((i for i, a in enumerate(actions) if a in STANDS), len(actions))
     goes_on = any(a in TURN or a in ("start", "accelerate") for a in actions[stop:])
-    return TURNS_GREEN.split("\n") if light == "red" and goes_on else []
+    arguments = ["place.turn"] if plan.junction and (crossing or shown != "green" or plan.place.control) else []
+    arguments += [f"'{shown}'" if arguments else f"shown='{shown}'"] if shown != "green" else []
+    if light == "red" and goes_on and plan.place.control == "signal" and "run_red" not in actions:
+        arguments.append("turns_green=True")
+    return [f"require monitor Lights({', '.join(arguments)})"]
 
 
 def write_ego(structure: Structure, plan: Plan) -> str:

@@ -67,6 +67,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         ego_top=top,
         before=rooms.before(ego, objects, speed, place),
         after=rooms.after(place, top, duration, ego, objects),
+        fastest=rooms.fastest(place, top, ego, objects),
         distance=rooms.distance(
             place.model_copy(update={"kind": "on_ramp"}) if ramp else place, top, ego, objects, room, bool(set_out)
         ),

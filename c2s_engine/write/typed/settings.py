@@ -32,19 +32,6 @@ def weather_value(spec: SettingsSpec) -> str:
     return "{" + ",\n    ".join(rows) + "}"
 
 
-def lights(state: str) -> list[str]:
-    """What keeps the light that ego comes to in a state, and those of the other approaches in theirs."""
-    return [
-        "",
-        "monitor TrafficLight():",
-        "    freezeTrafficLights()",
-        "    while True:",
-        f"        setClosestTrafficLightStatus(ego, '{state}')",
-        "        wait",
-        "require monitor TrafficLight()",
-    ]
-
-
 def write_settings(component: Component, map_file: str, carla_map: str | None) -> str:
     """The header of the program."""
     spec = component.spec
@@ -57,6 +44,4 @@ def write_settings(component: Component, map_file: str, carla_map: str | None) -
         "model scenic.simulators.carla.model",
         driving.IMPORT,
     ]
-    if spec.light:
-        lines += lights(spec.light)
     return "\n".join(lines)

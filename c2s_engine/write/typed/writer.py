@@ -75,9 +75,10 @@ class TypedWriter:
         """S with what the writer chose for it or changed in it among what is assumed."""
         return with_decisions(structure, self.room)
 
-    def candidates(self, structure: Structure) -> str:
-        """The list from which the program draws its place; how long it is says how many places there are."""
-        return str(call(make_plan(spread(structure), self.room)))
+    def candidates(self, structure: Structure, share: float = 0.0) -> str:
+        """The list from which the program draws its place; how long it is says how many places there are. `share`: of
+        stretches of road only those with so much of the room that is wanted, up to the next junction."""
+        return str(call(make_plan(spread(structure), self.room), share))
 
 
 def _one_line(text: str) -> str:

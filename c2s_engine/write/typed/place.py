@@ -2,7 +2,7 @@
 
 import math
 
-from c2s_engine.maps.expressions import Call, place_call
+from c2s_engine.maps.expressions import STRETCHES, Call, place_call
 from c2s_engine.structure.quantity import high
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.scope import number, quantity
@@ -31,8 +31,10 @@ def write_place(plan: Plan) -> str:
 
 
 def call(plan: Plan, share: float = 0.0) -> Call:
-    """The call that lists the places from which one is drawn: how many there are on a map can be counted by it. `share`:
-    only stretches with so much of the room that is wanted, up to the next junction."""
+    """The call that lists the places from which one is drawn: how many there are on a map can be counted by it.
+
+    `share`: only stretches with so much of the room that is wanted, up to the next junction.
+    """
     spec = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place
     short = spec.kind != "roundabout" and plan.exit_room < 25  # every junction has that much behind it
     more: dict[str, str] = {}
@@ -48,7 +50,7 @@ def call(plan: Plan, share: float = 0.0) -> Call:
         more["also"] = f"[{', '.join(plan.also)}]"
     if plan.single:
         more["lanes"] = "1"
-    if spec.kind in ("road", "straight", "curve", "motorway"):
+    if spec.kind in STRETCHES:
         more |= {"speed": number(math.ceil(plan.fastest / STEP) * STEP)} if plan.fastest > SLOW else {}
         more |= {"share": str(share)} if share else {}
     if plan.across and spec.kind in JUNCTION | RAMP:

@@ -26,7 +26,7 @@ FUNCTION = {
     "off_ramp": "exits",
 }  # fmt: skip
 _TURN = {"left": "LEFT_TURN", "right": "RIGHT_TURN", "straight": "STRAIGHT", "u_turn": "U_TURN"}
-_LANES = {"road", "straight", "curve", "motorway"}
+STRETCHES = ("road", "straight", "curve", "motorway")
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ def place_call(
     if spec.distance is not None:
         approach = max(approach, high(spec.distance) + MARGIN)
     first, named = _kind(spec)
-    if spec.kind in _LANES:
+    if spec.kind in STRETCHES:
         named |= {"length": _metres(length), "least": _metres(least)}
     elif spec.kind == "crosswalk":
         named["before"] = _metres(approach)

@@ -73,8 +73,14 @@ class MapExtras:
     geometry: dict[int, opendrive.Road]
     approaches: frozenset[tuple[int, int, bool]]
     """(junction, road, whether the road's end meets it)"""
+    stretches: tuple[tuple[float, int], ...] = ()
+    """(m, driving lanes in one direction at most) of all roads that lead to one another without a junction"""
     signs_on_ways: bool = False
     """Whether ways through junctions refer to more than lights: stock Scenic then calls any sign signalised."""
+
+    def longest(self, lanes: int = 1) -> float:
+        """How long (m) no stretch of road without a junction is, with so many lanes in one direction."""
+        return max((1.1 * length for length, most in self.stretches if most >= lanes), default=0.0)
 
     def limit(self, road: int) -> float | None:
         """The posted limit on a road or on a junction's way (m/s), where the map has one."""
@@ -130,7 +136,21 @@ def _read(path: Path, mtime: int, size: int) -> MapExtras:
     crosswalks = tuple(c for e in elements for c in _crosswalks(e, geometry[int(number(e, "id"))]))
     approaches = frozenset((link.junction, link.source, link.at_end) for link in connections)
     controls = read_controls(elements, geometry, connections)
-    return MapExtras(roads, junctions, crosswalks, controls, geometry, approaches, _signs_on_ways(elements))
+    stretches = _stretches(elements, roads)
+    return MapExtras(roads, junctions, crosswalks, controls, geometry, approaches, stretches, _signs_on_ways(elements))
+
+
+def _stretches(elements: list[ET.Element], roads: dict[int, RoadInfo]) -> tuple[tuple[float, int], ...]:
+    """Of each component of roads that are linked to one another."""
+    part = {i: {i} for i, road in roads.items() if road.junction is None}
+    for element in elements:
+        for end in element.findall("link/*[@elementType='road']"):
+            one, other = int(number(element, "id")), int(number(end, "elementId"))
+            if one in part and other in part and part[one] is not part[other]:
+                part[one] |= part[other]
+                part.update(dict.fromkeys(part[other], part[one]))
+    found = [[roads[i] for i in members] for members in {id(members): members for members in part.values()}.values()]
+    return tuple((sum(r.length for r in each), max(max(r.left, r.right) for r in each)) for each in found)
 
 
 def _road_info(element: ET.Element, road: opendrive.Road) -> RoadInfo:

@@ -29,12 +29,11 @@ def required(scene: Scene) -> Iterator[Requirement]:
         )
     if place.control in SIGNS:
         yield make("infrastructure", "control", f"A {place.control} regulates ego's approach.",
-                   value=SIGNS[place.control], present=True)  # fmt: skip
+                   value=SIGNS[place.control])  # fmt: skip
     elif place.control == "none":
-        yield make("infrastructure", "control", "No light and no sign regulates ego's approach.",
-                   value="traffic_light", present=False)  # fmt: skip
+        yield make("road_fact", "control", "No light regulates ego's approach.", fact="signalized", value=False)
     if place.crosswalk or place.kind == "crosswalk":
-        yield make("infrastructure", "crosswalk", "A crosswalk lies on ego's way.", value="crosswalk", present=True)
+        yield make("infrastructure", "crosswalk", "A crosswalk lies on ego's way.", value="crosswalk")
     if place.lanes and scene.stated("R", "lanes"):
         yield make("lanes", "lanes", f"At least {place.lanes} lanes lead in ego's direction.", value=place.lanes)
     if place.oncoming is not None and scene.stated("R", "oncoming"):
@@ -88,10 +87,8 @@ def lanes(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 def infrastructure(requirement: Requirement, evidence: Evidence) -> Result:
-    value, present = str(requirement.values["value"]), bool(requirement.values["present"])
-    found = evidence.facts.infrastructure
-    said = value.replace("_", " ") if present else f"no {value.replace('_', ' ')}"
-    return decided(requirement, (value in found) == present, said, ", ".join(found) or "none", 0.0)
+    value, found = str(requirement.values["value"]), evidence.facts.infrastructure
+    return decided(requirement, value in found, value.replace("_", " "), ", ".join(found) or "none", 0.0)
 
 
 def distance_to(requirement: Requirement, evidence: Evidence) -> Result:

@@ -1,7 +1,7 @@
 """Which map a structure is written for, and whether that map has its place (DESIGN, "R")."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 
 from c2s_engine.check.client import CheckClient, CheckError
 from c2s_engine.check.protocol import PlacesRequest
@@ -19,17 +19,22 @@ DEFAULT_MAP = "Town05"
 FIRST = (DEFAULT_MAP, "Town10HD", "Town04", "Town03", "Town07", "Town06")
 """CARLA's towns that are looked at before the others, where no map is named: those with most kinds of places first."""
 ROOMS = (1.0, 0.7, 0.45, 0.25)
-"""How much of the way to a junction that a structure would take must be there: the best first."""
+"""How much of the way to a junction, or of a stretch of road, that a structure would take must be there: the best
+first."""
+ANY = len(ROOMS)
+"""`less` of a stretch of road that is shorter, or leads over junctions."""
 
 
 @dataclass(frozen=True)
 class Resolution:
-    """The map and the fit, how many places match, and what was assumed about it; or why nothing fits."""
+    """The map and the fit, how many places match, and what was assumed about it; or why nothing fits. `less`: 0 where
+    the map has all the road that the structure takes, more the less of it there is."""
 
     writer: TypedWriter | None
     count: int = 0
     assumed: tuple[Assumption, ...] = ()
     diagnostic: Diagnostic | None = None
+    less: int = 0
 
 
 def map_choice(library: MapLibrary, map_file: MapFile) -> MapChoice:
@@ -72,7 +77,8 @@ async def resolve(
     default: str | None = None,
     offers: bool = True,
 ) -> Resolution:
-    """Find a map that has the place: the one given, else the text's, else the first of those at hand.
+    """Find a map that has the place: the one given, else the text's, else the one that it was on before, else of those
+    at hand the first with all the road that it takes, or with the most of it; the shipped one only if no other has it.
 
     A map that the caller gives must do: where it is not there or lacks the place, that is a diagnostic.
     `offers`: whether a refusal names what would do.
@@ -80,11 +86,15 @@ async def resolve(
     if (error := contradiction(structure)) is not None:
         return Resolution(None, diagnostic=_diagnostic(str(error), "contradiction", error.fields))
     named = named_map(structure)
-    names = (given,) if given else tuple(dict.fromkeys(n for n in (named, *at_hand(library, default)) if n))
-    lacking, failed, looked = "", None, False
-    for wanted in names:
+    before = next((str(a.value) for a in structure.settings.assumed if a.field == "map"), None)
+    beyond = (*((before,) if before in library.names() else ()), *at_hand(library, default))
+    names = (given,) if given else tuple(dict.fromkeys(n for n in (named, *beyond) if n))
+    lacking, failed, looked, best = "", None, False, Resolution(None, less=ANY + 1)
+    for wanted, under in _looked_up(names, (given, named, before)):
+        if under > ANY and best.writer is not None:
+            break
         try:
-            found = await on_map(structure, library, check, wanted)
+            found = await on_map(structure, library, check, wanted, min(under, best.less))
         except (MapNotFound, BrokenMap) as error:
             if wanted == given:
                 return Resolution(None, diagnostic=_diagnostic(str(error), "unknown-map", ("G.map",)))
@@ -99,10 +109,14 @@ async def resolve(
         looked = True
         if found is not None and wanted in (given, named):
             return found
-        if found is not None and found.writer is not None:
-            assumed = Assumption(field="map", value=found.writer.map.name, reason=lacking or _chosen(wanted, library))
-            return Resolution(found.writer, found.count, (assumed,))
+        best = found or best
+        if found is not None and (best.less == 0 or wanted == before):
+            break
         lacking = lacking or (f"{wanted} has no such place" if wanted == named else "")
+    if best.writer is not None:
+        chosen = best.writer.map.name
+        assumed = Assumption(field="map", value=chosen, reason=lacking or _chosen(chosen, library))
+        return replace(best, assumed=(assumed,))
     if failed is not None and not looked:
         return _not_looked_up(failed)
     nearest = await _offers(structure, library, check, given) if offers else ""
@@ -116,14 +130,26 @@ def _not_looked_up(error: CheckError) -> Resolution:
     return Resolution(None, diagnostic=_diagnostic(lookup, "lookup", ("R",)))
 
 
-async def on_map(structure: Structure, library: MapLibrary, check: CheckClient, name: str) -> Resolution | None:
-    """The best fit on one map; None where it lacks the place. Raises MapNotFound, BrokenMap, CheckError."""
-    found = await first_on_map((structure,), library, check, name)
+def _looked_up(names: Sequence[str], wished: Sequence[str | None]) -> Iterator[tuple[str, int]]:
+    """In which order places are looked up on maps, each with the bound of `less`: on those that are wished whatever
+    there is; else first stretches up to their junctions, which takes less time, and on the shipped map last."""
+    yield from ((name, ANY + 1) for name in names if name in wished)
+    others = [name for name in names if name not in wished and name != SHIPPED]
+    yield from ((name, under) for under in (ANY, ANY + 1) for name in others)
+    yield from ((name, ANY + 1) for name in names if name == SHIPPED and name not in wished)
+
+
+async def on_map(
+    structure: Structure, library: MapLibrary, check: CheckClient, name: str, under: int | None = None
+) -> Resolution | None:
+    """The best fit on one map, with `less` under a bound; None where it lacks that. Raises MapNotFound, BrokenMap,
+    CheckError."""
+    found = await first_on_map((structure,), library, check, name, under)
     return found[1] if found else None
 
 
 async def first_on_map(
-    structures: Sequence[Structure], library: MapLibrary, check: CheckClient, name: str
+    structures: Sequence[Structure], library: MapLibrary, check: CheckClient, name: str, under: int | None = None
 ) -> tuple[int, Resolution] | None:
     """Of several structures the first that has places on a map, by its number, with its best fit; asked for at once.
 
@@ -131,11 +157,12 @@ async def first_on_map(
     """
     choice = map_choice(library, library.find(name))
     writers = [TypedWriter(choice, room=room) for room in ROOMS]
-    fits: dict[str, tuple[int, TypedWriter]] = {}
+    fits: dict[str, tuple[int, TypedWriter, int]] = {}
     for number, structure in enumerate(structures):
         if contradiction(structure) is None and not lacks(structure, choice.extras):
-            for writer in writers:
-                fits.setdefault(writer.candidates(structure), (number, writer))
+            for expression, writer, less in _ways_to_fit(structure, writers):
+                fits.setdefault(expression, (number, writer, less))
+    fits = {expression: fit for expression, fit in fits.items() if under is None or fit[2] < under}
     if not fits:
         return None
     expressions = {expression: expression for expression in fits}
@@ -144,9 +171,23 @@ async def first_on_map(
         raise CheckError(next(iter(report.errors.values())))
     for expression, count in report.counts.items():
         if count:
-            number, writer = fits[expression]
-            return number, Resolution(writer, count)
+            number, writer, less = fits[expression]
+            return number, Resolution(writer, count, less=less)
     return None
+
+
+def _ways_to_fit(structure: Structure, writers: Sequence[TypedWriter]) -> Iterator[tuple[str, TypedWriter, int]]:
+    """What may be looked up for a structure, with the writer for what is found there and `less`, the best first."""
+    first, place = writers[0], structure.place.spec
+    assert isinstance(place, PlaceSpec)
+    length, longest = first.stretch(structure), first.map.extras.longest(place.lanes or 1)
+    for less, writer in enumerate(writers):
+        if not length:
+            yield writer.candidates(structure), writer, less
+        elif writer.room * length <= longest:
+            yield first.candidates(structure, share=writer.room), first, less
+    if length:
+        yield first.candidates(structure), first, ANY
 
 
 def lacks(structure: Structure, extras: MapExtras) -> str:

@@ -744,6 +744,58 @@ def to_far_side(self, points, heading):
     return metres + 1.5
 
 
+# Lights: where a simulator has them, as CARLA does
+
+monitor Lights(turn=None, shown='green', turns_green=False):
+    """Traffic lights that suit who is on the way: everybody who drives comes to green ones. Where ego's `turn`
+    (a manoeuvre) leads over a junction, its approach and the one opposite show `shown` ('green', 'yellow', 'red',
+    'off'), those across what goes with that, and who is given a `light` of its own (`with light 'red'`) has that. turns_green:
+    once ego stands. Without a `turn` all lights are as `shown`."""
+    heading_for = {}
+    if hasattr(simulation(), 'world'):
+        simulation().world.freeze_all_traffic_lights(True)
+    while hasattr(simulation(), 'world'):
+        if turns_green and ego.speed < 0.3 and simulation().currentTime > 0:
+            heading_for, shown, turns_green = {}, 'green', False
+        for car in [thing for thing in simulation().objects if getattr(thing, 'isVehicle', False)]:
+            if heading_for.get(id(car)) is not car._lane:
+                heading_for[id(car)] = car._lane
+                set_light(car, light_for(car, turn, shown))
+        wait
+
+def junction_ahead(lane):
+    """The junction that a lane leads to, over further roads, and the last lane before it; None, None: to none."""
+    for _ in range(20):
+        if not lane or not lane.maneuvers:
+            break
+        if lane.maneuvers[0].intersection:
+            return lane.maneuvers[0].intersection, lane
+        lane = lane.maneuvers[0].endLane
+    return None, None
+
+def light_for(car, turn, shown):
+    """What the light that `car` comes to is to show; `turn` and `shown` as of `Lights`."""
+    junction, lane = junction_ahead(car._lane)
+    if turn is None:
+        return getattr(car, 'light', shown)
+    if junction is not turn.intersection:
+        return 'green'
+    own, egos = [line[-1] - line[-2] for line in (lane.centerline, turn.startLane.centerline)]
+    if abs(math.sin(own.angleWith(egos))) > 0.7 and shown != 'off':
+        shown = 'green' if shown == 'red' else 'red'
+    return getattr(car, 'light', shown)
+
+def set_light(car, colour, within=500):
+    """Set the light that faces `car`, at most so far (m) ahead; where there is none, nothing."""
+    from scenic.simulators.carla.utils.utils import scenicToCarlaTrafficLightStatus
+    here = simulation().map.get_waypoint(car.carlaActor.get_transform().location)
+    ahead = here.get_landmarks_of_type(within, '1000001') if here and not car._intersection else []
+    if ahead:
+        light = simulation().world.get_traffic_light(min(ahead, key=lambda mark: mark.distance))
+        if light:
+            light.set_state(scenicToCarlaTrafficLightStatus(colour))
+
+
 # The end of a run
 
 monitor OnceSeen(conditions, held=1, seconds=1.5):
@@ -1065,7 +1117,8 @@ class From(object):
 def stretches(straight=False, two_way=True, crosswalk=None, **wanted):
     """Stretches of road, ego anywhere on them: `straight` ones; `two_way`: with the other direction beside them (else
     one-way roads, too, ramps apart); with a `crosswalk` between their junctions, or without (False). `wanted`: `length`
-    (m, or as much of it as there is) and `least` (m), and what `lane_fits` and `limit` mean."""
+    (m, or as much of it as there is; `share`: but so much of it, up to the next junction), `least` (m), `speed` (m/s that
+    their bends allow, where there are such), and what `lane_fits` and `limit` mean."""
     facts = map_facts()
     def fits(lane):
         along = (lane.centerline[-1] - lane.centerline[0]).norm()
@@ -1108,7 +1161,8 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
     `control` holds for ego ('signal', 'stop', 'yield', 'none'); with a `crosswalk` at ego's line, or without; with lanes
     of `approach` m before the junction and `exit` m behind it, over several roads (`across`: and straight over other
     junctions) where roads are short; with `others` to meet there, a list of `From`, and with other ways from
-    ego's lane, `also`. Where no control is asked for, there are neither lights nor a stop sign for ego if such ways are."""
+    ego's lane, `also`. Where no control is asked for, ego has no stop sign if there are such ways, and whom it meets
+    by a crossing one comes to neither sign nor light, or at least to no light."""
     facts = map_facts()
     found = []
     for junction in network.intersections:
@@ -1125,8 +1179,13 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
     minor = control is None and any(other.sign and other.side != 'opposite' for other in others)
     if minor:  # whom others have to give way to has no sign itself
         found = [m for m in found if facts.sign(m.startLane, m.intersection) != 'stop']
-    places = [Place(way.startLane, way) for way in found]
-    return _at_junctions(places, approach, exit, limit, lanes, others, across=across)
+    crossing = control is None and any(other.side in ('left', 'right') and not other.sign for other in others)
+    for unregulated in ('none', 'dark', None) if crossing else (None,):  # where neither has to wait for the other
+        ways = [Place(m.startLane, m) for m in found if facts.controlled(m.intersection, unregulated)]
+        places = _at_junctions(ways, approach, exit, limit, lanes, others, across=across)
+        if places:
+            return places
+    return []
 
 def roundabouts(approach=0, exit=0, others=(), arms_within=100, limit=None, across=False, **lanes):
     """Ways of ego into roundabouts; `others` (a list of `From`) come in at arms that are `arms_within` m of ego's. The
@@ -1180,21 +1239,31 @@ def lane_fits(lane, section, lanes=None, ego_lane=None, oncoming=None, shoulder=
     return (fits and place[ego_lane] and (oncoming is None or oncoming == adjoins())
             and shoulder in (None, bool(group._shoulder)) and sidewalk in (None, bool(group._sidewalk)))
 
-def _along_roads(fits, length=0, least=0, limit=None, **lanes):
+def _along_roads(fits, length=0, least=0, limit=None, speed=0, share=0, **lanes):
     if lanes.get('shoulder') == 'preferred':
         return next((found for shoulder in (True, None)
-                     for found in [_along_roads(fits, length, least, limit, **{**lanes, 'shoulder': shoulder})] if found), [])
+                     for found in [_along_roads(fits, length, least, limit, speed, share, **{**lanes, 'shoulder': shoulder})]
+                     if found), [])
     found = [Place(lane) for road in network.roads for lane in road.lanes
              if lane_fits(lane, lane.sections[0], **lanes) and fits(lane)]
-    for share, over in SHARES:
-        metres = max(share * length, least)
+    for part, over in [(part, over) for part, over in SHARES if part >= share and not (share and over == JUNCTIONS)]:
+        metres = max(part * length, least)
         long = [_longer(place, metres, over, lanes, ahead=True) for place in found]
         long = [place for place in long if place and (over is None or fits(place.lane))]
-        if long:
-            return _posted(_exactly(lanes.get('lanes'), long), limit)
-    if lanes.get('lanes') == 1:  # no road that long has only one
-        return _along_roads(fits, length, least, limit, **{**lanes, 'lanes': None})
+        fast = [place for place in long if speed and bends_allow(place.lane, speed, metres)]
+        if fast or long and not (speed and share):
+            return _posted(_exactly(lanes.get('lanes'), fast or long), limit)
+    if lanes.get('lanes') == 1 and not share:  # no road that long has only one
+        return _along_roads(fits, length, least, limit, speed, **{**lanes, 'lanes': None})
     return []
+
+def bends_allow(lane, speed, metres):
+    """Whether `Drive` keeps its speed (m/s) in the bends of the first metres of a lane."""
+    points = numpy.array(lane.centerline.lineString.coords)[:, :2]
+    way = numpy.insert(numpy.cumsum(numpy.hypot(*numpy.diff(points, axis=0).T)), 0, 0)
+    x, y = [numpy.interp(numpy.arange(0, min(metres, way[-1]), 4), way, points[:, k]) for k in (0, 1)]
+    turns = numpy.diff(numpy.unwrap(numpy.arctan2(numpy.diff(y), numpy.diff(x))))
+    return not len(turns) or numpy.abs(turns).max() / 4 * speed ** 2 <= 4
 
 SHARES = [(1, None), (1, ROADS), (0.7, None), (0.7, ROADS), (0.45, None), (0.45, ROADS), (1, JUNCTIONS),
           (0.7, JUNCTIONS), (0.25, None), (0.25, ROADS), (0.45, JUNCTIONS), (0.25, JUNCTIONS)]
@@ -1267,11 +1336,12 @@ class MapFacts(object):
         return self.signs.get((junction.id, lane.road.id))
 
     def controlled(self, junction, control):
-        """Whether a junction has lights ('signal'), neither lights nor signs ('none'); whatever else is asked."""
+        """Whether a junction has lights ('signal'), none ('dark'), neither lights nor signs ('none'); whatever else is
+        asked."""
         lights = any(signal.isTrafficLight for signal in junction.signals)
         if control == 'none':
             return not lights and all(j != junction.id for j, _ in self.signs)
-        return lights if control == 'signal' else True
+        return lights != (control == 'dark') if control in ('signal', 'dark') else True
 
     def crosswalk_at(self, lane):
         """Whether a crosswalk lies at the end of a lane."""

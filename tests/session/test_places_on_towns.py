@@ -7,9 +7,9 @@ import pytest
 
 from c2s_engine.api import Engine
 from c2s_engine.config import Settings
-from c2s_engine.session.places import demanded, resolve
+from c2s_engine.session.places import ANY, demanded, resolve
 from c2s_engine.session.settle import settle
-from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.components import Assumption, Component, Structure
 from c2s_engine.structure.progress import Finished
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec, SettingsSpec
 
@@ -37,8 +37,14 @@ async def test_where_places_are_found_and_what_is_told(engine):
     library, check = engine.library, engine.check_client
     signals = asks(kind="intersection", arms=4, control="signal", manoeuvre="straight")
     found = await resolve(signals, library, check)
-    assert found.writer.map.name == "Town10HD"
-    assert [(a.field, a.value) for a in found.assumed] == [("map", "Town10HD")]
+    assert found.writer.map.name == "Town07"  # with more road before it than Town10HD has
+    assert [(a.field, a.value) for a in found.assumed] == [("map", "Town07")]
+    there = Assumption(field="map", value="Town10HD", reason="no map is named")
+    kept = signals.with_component(Component(id="G", spec=SettingsSpec(), assumed=(there,)))
+    assert (await resolve(kept, library, check)).writer.map.name == "Town10HD"  # an edit does not move the scene
+    road = asks(kind="road").with_component(Component(id="E", spec=EgoSpec(speed=25.0)))
+    assert (await resolve(road, library, check)).less == ANY  # neither has one fit for 90 km/h
+    assert (await resolve(asks(kind="road"), library, check)).less < ANY
     stops = asks(kind="intersection", arms=4, control="stop", manoeuvre="straight")
     assert (await resolve(stops, library, check)).writer.map.name == "Town07"
     assert (await resolve(asks(kind="roundabout"), library, check)).writer.map.name == "town"

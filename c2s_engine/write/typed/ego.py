@@ -56,6 +56,6 @@ def write_ego(structure: Structure, plan: Plan) -> str:
         f"    with blueprint '{model}',",
         *(["    with regionContainedIn everywhere,"] if spec.type == "bus" and not pulls_out(said) else []),
         "    with behavior EgoBehavior()",
-        *lights.of_ego(structure, plan, spec),
+        *lights.of_all(structure, plan, spec),
     ]
     return "\n".join(lines)

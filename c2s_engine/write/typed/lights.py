@@ -1,25 +1,19 @@
-"""The traffic light that ego comes to: what it shows, and how that changes in the run."""
+"""The traffic lights that road users come to: what ego's shows, and how that changes in the run."""
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, SettingsSpec, Trigger
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import TURN, is_static, is_vehicle
+from c2s_engine.write.typed.tables import RAMP, TURN, is_static, is_vehicle
 from c2s_engine.write.typed.watching import watched
 
 FOR_ALL = {"flashing", "dark"}
 """What all lights of a junction show at once."""
 HALTS = {"yellow", "red"}
-TURNS_GREEN = """
-monitor TurnsGreen():
-    wait
-    while ego.speed > 0.3:
-        wait
-    while True:
-        setClosestTrafficLightStatus(ego, 'green')
-        wait
-require monitor TurnsGreen()"""
+ACROSS = {"crossing_left", "crossing_right"}
+NO_LIGHTS = {"motorway", *RAMP}
+"""Kinds of places where nobody comes to a light."""
 
 
 def changing(spec: SettingsSpec) -> bool:
@@ -27,25 +21,23 @@ def changing(spec: SettingsSpec) -> bool:
     return bool(spec.light_changes) or spec.light in FOR_ALL
 
 
-def held(state: str) -> list[str]:
-    """What keeps the light that ego comes to in a state, and those of the other approaches in theirs."""
-    return _monitor(["    while True:", f"        setClosestTrafficLightStatus(ego, '{state}')", "        wait"])
-
-
-def of_ego(structure: Structure, plan: Plan, spec: EgoSpec) -> list[str]:
-    """The light where S leaves it open or lets it change; a red one turns green where ego stops at it and goes on."""
+def of_all(structure: Structure, plan: Plan, spec: EgoSpec) -> list[str]:
+    """The lights that everybody comes to: green, but ego's at its junction as S says or as what is done there asks."""
     settings, actions = structure.settings.spec, [p.action for p in spec.phases]
-    if plan.place.control != "signal" or not isinstance(settings, SettingsSpec):
+    if plan.place.kind in NO_LIGHTS or plan.ramp or not isinstance(settings, SettingsSpec):
         return []
     if changing(settings):
-        return _changes(structure, plan, settings)
-    if "run_red" in actions:
-        return []
-    if settings.light is None:
-        return held("green")
+        return _changes(structure, plan, settings) if plan.place.control == "signal" else []
+    crossing = any(position in ACROSS for position, _ in plan.ways_of_others)
+    unregulated = "off" if crossing and plan.place.control is None else "green"
+    shown = settings.light or ("red" if "run_red" in actions else unregulated)
     stop = next((i for i, a in enumerate(actions) if a in STANDS), len(actions))
     goes_on = any(a in TURN or a in ("start", "accelerate") for a in actions[stop:])
-    return TURNS_GREEN.split("\n") if settings.light == "red" and goes_on else []
+    arguments = ["place.turn"] if plan.junction and (crossing or shown != "green" or plan.place.control) else []
+    arguments += [f"'{shown}'" if arguments else f"shown='{shown}'"] if shown != "green" else []
+    if settings.light == "red" and goes_on and plan.place.control == "signal" and "run_red" not in actions:
+        arguments.append("turns_green=True")
+    return [f"require monitor Lights({', '.join(arguments)})"]
 
 
 def first(settings: SettingsSpec) -> str:

@@ -83,6 +83,8 @@ def _statement(spec: ObjectSpec, spot: Spot, name: str, behavior: str) -> list[s
         size = {"length": LENGTH[spec.type], "width": WIDTH[spec.type], "height": HEIGHT[spec.type]}
         said = " ".join(spot.specifiers)
         extras += [f"with {k} {scope.number(m)}" for k, m in size.items() if f"with {k} " not in said]
+    if any(p.action == "run_red" for p in spec.phases):
+        extras.append("with light 'red'")
     if behavior:
         extras.append(f"with behavior {behavior}")
     specifiers = list(dict.fromkeys([*spot.specifiers, *extras]))
@@ -146,7 +148,4 @@ def _driver(
         approach=spot.approach,
     )
     statements = behaviour.body(actor)
-    statements = reactions.heeding(actor, statements)
-    if any(p.action == "run_red" for p in spec.phases):
-        statements.insert(1, "take SetTrafficLightAction('red', distance=150)")
-    return statements
+    return reactions.heeding(actor, statements)

@@ -1,6 +1,8 @@
 """R: the place, as a call of the driving library, and ego's start in it."""
 
-from c2s_engine.maps.expressions import Call, place_call
+import math
+
+from c2s_engine.maps.expressions import STRETCHES, Call, place_call
 from c2s_engine.structure.quantity import high
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.room import AT_THE_EDGE
@@ -9,6 +11,10 @@ from c2s_engine.write.typed.tables import APPROACH_NAME, JUNCTION, LENGTH, RAMP,
 
 EGO_VARIES = 20.0
 """m of its lane within which ego starts, where nothing ahead says where."""
+SLOW = 13.0
+"""m/s up to which any road will do, however it bends."""
+STEP = 2.5
+"""m/s in steps of which a road is asked for: not every change of a speed is one of the place."""
 EGO_TO_BEND = 40
 """m from ego's start to the beginning of a bend."""
 _OF_FEW = ("ego_lane", "shoulder", "sidewalk", "crosswalk", "speed_limit")
@@ -25,8 +31,11 @@ def write_place(plan: Plan) -> str:
     return "\n".join(lines)
 
 
-def call(plan: Plan) -> Call:
-    """The call that lists the places from which one is drawn: how many there are on a map can be counted by it."""
+def call(plan: Plan, share: float = 0.0) -> Call:
+    """The call that lists the places from which one is drawn: how many there are on a map can be counted by it.
+
+    `share`: only stretches with so much of the room that is wanted, up to the next junction.
+    """
     spec = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place
     short = spec.kind != "roundabout" and plan.exit_room < 25  # every junction has that much behind it
     more: dict[str, str] = {}
@@ -42,6 +51,9 @@ def call(plan: Plan) -> Call:
         more["also"] = f"[{', '.join(plan.also)}]"
     if plan.single:
         more["lanes"] = "1"
+    if spec.kind in STRETCHES:
+        more |= {"speed": number(math.ceil(plan.fastest / STEP) * STEP)} if plan.fastest > SLOW else {}
+        more |= {"share": str(share)} if share else {}
     if plan.across and spec.kind in JUNCTION | RAMP:
         more["across"] = "True"
     return place_call(

@@ -16,6 +16,7 @@ class Plan:
     ego_top: float  # m/s, the highest of it: who is ahead leaves room for that
     before: float  # m of lane wanted behind ego's start
     after: float  # m wanted ahead of it
+    fastest: float  # m/s of whoever is the fastest on the road
     distance: float | tuple[float, float] | None  # m from ego's start to the junction or ramp
     offsets: frozenset[int]  # lane offsets from ego's (+1: one to the left) that fragments refer to
     base: int  # index of ego's lane in its group (0: rightmost, -1: leftmost)

@@ -78,6 +78,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         ego_top=top,
         before=rooms.before(ego, objects, speed, place),
         after=rooms.after(place, top, duration, ego, objects),
+        fastest=rooms.fastest(place, top, ego, objects),
         distance=_seen_to_change(way, place, changes, top * room),
         offsets=offsets,
         base=base,

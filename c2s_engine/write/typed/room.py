@@ -73,17 +73,19 @@ def _furthest(objects: dict[str, ObjectSpec], speed: float, place: PlaceSpec) ->
     )
 
 
+def fastest(place: PlaceSpec, speed: float, ego: EgoSpec, objects: dict[str, ObjectSpec]) -> float:
+    """The speed of whoever is the fastest, m/s."""
+    phases = [high(phase.speed) for phase in all_phases(ego, objects) if phase.speed is not None]
+    return max([speed, *phases, *(middle(speed_of(o, place)) for o in objects.values() if is_vehicle(o.type))])
+
+
 def after(place: PlaceSpec, speed: float, duration: float, ego: EgoSpec, objects: dict[str, ObjectSpec]) -> float:
-    fastest = max([speed, *(middle(speed_of(o, place)) for o in objects.values() if is_vehicle(o.type))])
-    for phase in all_phases(ego, objects):
-        if phase.speed is not None:
-            fastest = max(fastest, high(phase.speed))
     far = _furthest(objects, speed, place)
     far = max(
         [far, *(_oncoming_gap(o, speed, place) for o in objects.values() if o.placement.position == "oncoming_lane")]
     )
     limit = {"curve": 450.0, "crosswalk": 150.0}.get(place.kind, 1050.0)
-    wanted = max(fastest * min(duration, 20) + far * 0.5, far + 60, 150)
+    wanted = max(fastest(place, speed, ego, objects) * min(duration, 20) + far * 0.5, far + 60, 150)
     return min(math.ceil(wanted / 50) * 50.0, limit)
 
 

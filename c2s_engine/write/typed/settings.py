@@ -3,7 +3,6 @@
 from c2s_engine import driving
 from c2s_engine.structure.components import Component
 from c2s_engine.structure.specs import SettingsSpec
-from c2s_engine.write.typed import lights
 from c2s_engine.write.typed.scope import number
 from c2s_engine.write.typed.tables import SUN, WEATHER
 
@@ -45,6 +44,4 @@ def write_settings(component: Component, map_file: str, carla_map: str | None) -
         "model scenic.simulators.carla.model",
         driving.IMPORT,
     ]
-    if spec.light and not lights.changing(spec):  # what follows others is written with ego
-        lines += lights.held(spec.light)
     return "\n".join(lines)

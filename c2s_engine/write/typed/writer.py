@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from c2s_engine import driving
+from c2s_engine.maps.expressions import STRETCHES
 from c2s_engine.maps.extras import MapExtras
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.write.typed.decided import with_decisions
@@ -75,9 +76,15 @@ class TypedWriter:
         """S with what the writer chose for it or changed in it among what is assumed."""
         return with_decisions(structure, self.room)
 
-    def candidates(self, structure: Structure) -> str:
-        """The list from which the program draws its place; how long it is says how many places there are."""
-        return str(call(make_plan(spread(structure), self.room)))
+    def candidates(self, structure: Structure, share: float = 0.0) -> str:
+        """The list from which the program draws its place; how long it is says how many places there are. `share`: of
+        stretches of road only those with so much of the room that is wanted, up to the next junction."""
+        return str(call(make_plan(spread(structure), self.room), share))
+
+    def stretch(self, structure: Structure) -> float:
+        """How much road (m) the structure takes where nothing but road is asked for; 0 at junctions and the like."""
+        plan = make_plan(spread(structure), self.room)
+        return plan.before + plan.after if plan.place.kind in STRETCHES and not plan.ramp else 0.0
 
 
 def _one_line(text: str) -> str:

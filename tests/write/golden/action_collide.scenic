@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(length=435))
+place = Uniform(*stretches(length=435, speed=20))
 EGO_AT = Range(35, 55)  # m along its lane
 
 ## E
@@ -21,6 +21,7 @@ behavior EgoBehavior():
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
+require monitor Lights()
 
 ## O1
 RAMMER_SPEED = 18  # m/s

@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(length=375, least=102, ego_lane='rightmost', shoulder=True))
+place = Uniform(*stretches(length=375, least=102, ego_lane='rightmost', shoulder=True, speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
@@ -24,6 +24,7 @@ behavior EgoBehavior():
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
+require monitor Lights()
 
 ## O1
 PULLER_AT = EGO_AT + 50 + 5  # m along the lane

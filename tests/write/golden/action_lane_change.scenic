@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*motorways(length=525, least=82, lanes=2, ego_lane='rightmost'))
+place = Uniform(*motorways(length=525, least=82, lanes=2, ego_lane='rightmost', speed=22.5))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E

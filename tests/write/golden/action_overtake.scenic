@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*motorways(length=635, lanes=2, ego_lane='rightmost'))
+place = Uniform(*motorways(length=635, lanes=2, ego_lane='rightmost', speed=30))
 EGO_AT = Range(35, 55)  # m along its lane
 
 ## E

@@ -24,6 +24,7 @@ behavior EgoBehavior():
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
+require monitor Lights()
 
 ## O1
 BACKER_SPEED = 3  # m/s

@@ -25,13 +25,7 @@ behavior EgoBehavior():
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-
-monitor TrafficLight():
-    freezeTrafficLights()
-    while True:
-        setClosestTrafficLightStatus(ego, 'green')
-        wait
-require monitor TrafficLight()
+require monitor Lights(place.turn)
 
 ## O1
 RUNNER_SPEED = 11  # m/s
@@ -39,16 +33,10 @@ RUNNER_AHEAD = Range(-0.3, 0.3)  # s before ego where their ways cross, if neith
 RUNNER_TO_JUNCTION = start_to_meet(
     place.from_left, way(place.from_left), RUNNER_SPEED,
     way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=RUNNER_AHEAD)  # m
-
-behavior RunnerBehavior():
-    line = way(place.from_left)
-    take SetTrafficLightAction('red', distance=150)
-    take SetSpeedAction(RUNNER_SPEED)
-    do Drive(line, RUNNER_SPEED)
-
 runner = new Car at place.from_left.centerline.pointAlongBy(-RUNNER_TO_JUNCTION),
     with blueprint Uniform(*CARS),
-    with behavior RunnerBehavior()
+    with light 'red',
+    with behavior Cruise(way(place.from_left), RUNNER_SPEED)
 
 ## T
 require monitor OnceSeen([

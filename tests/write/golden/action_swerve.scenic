@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(length=325, least=82))
+place = Uniform(*stretches(length=325, least=82, speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
@@ -21,6 +21,7 @@ behavior EgoBehavior():
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
+require monitor Lights()
 
 ## O1
 LEAD_SPEED = 14  # m/s

@@ -26,13 +26,7 @@ behavior EgoBehavior():
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-
-monitor TrafficLight():
-    freezeTrafficLights()
-    while True:
-        setClosestTrafficLightStatus(ego, 'green')
-        wait
-require monitor TrafficLight()
+require monitor Lights(place.turn)
 
 ## O1
 TURNER_SPEED = 8  # m/s

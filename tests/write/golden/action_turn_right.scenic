@@ -26,6 +26,7 @@ behavior EgoBehavior():
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
+require monitor Lights(place.turn)
 
 ## O1
 TURNER_SPEED = 8  # m/s

@@ -27,6 +27,7 @@ behavior EgoBehavior():
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
+require monitor Lights(place.turn)
 
 ## O1
 CROSSER_SPEED = 11  # m/s

@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*motorways(length=575, lanes=3, ego_lane='middle'))
+place = Uniform(*motorways(length=575, lanes=3, ego_lane='middle', speed=27.5))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E

@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(straight=True, length=325, oncoming=True, lanes=1))
+place = Uniform(*stretches(straight=True, length=325, oncoming=True, lanes=1, speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
@@ -21,6 +21,7 @@ behavior EgoBehavior():
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
+require monitor Lights()
 
 ## T
 terminate after 20 seconds

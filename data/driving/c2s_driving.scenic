@@ -796,30 +796,6 @@ def set_light(car, colour, within=500):
             light.set_state(scenicToCarlaTrafficLightStatus(colour))
 
 
-# The end of a run
-
-monitor OnceSeen(conditions, held=1, seconds=1.5):
-    """End the run some seconds after each of the conditions (functions) has been `held` s long at some time and nobody
-    brakes any more; at most `LONGEST` s later."""
-    held_for = [0 for _ in conditions]
-    while min(held_for) < held:
-        wait
-        held_for = [t + simulation().timestep if t >= held or condition() else 0
-                    for t, condition in zip(held_for, conditions)]
-    left, over = seconds, LONGEST
-    while min(left, over) > 0:
-        wait
-        over -= simulation().timestep
-        left = seconds if any(brakes(one) for one in simulation().objects) else left - simulation().timestep
-    terminate
-
-LONGEST = 8  # s after what was to be seen at which a run is over, whoever brakes
-
-def brakes(car):
-    """Whether `car` slows down: by over 1 m/s2."""
-    return car.speed < max(lately(car, 0.5)) - 0.5
-
-
 # How one stands to another
 
 def clock():

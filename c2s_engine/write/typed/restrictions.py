@@ -2,7 +2,7 @@
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import Condition, ObjectSpec, RestrictionsSpec
-from c2s_engine.write.typed import over, scope
+from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.threats import observed
 
@@ -24,8 +24,6 @@ def write_restrictions(structure: Structure, plan: Plan) -> str:
     for c in spec.terminate_when:
         guard = "" if c.kind == "time" else "clock() > 1 and "  # a run does not end as it begins
         lines.append(f"terminate when {guard}{_condition(structure, c)}")
-    if not spec.terminate_when and spec.duration is None and (seen := over.conditions(structure, plan)):
-        lines += ["require monitor OnceSeen([", *(f"    lambda: {one}," for one in seen), "])"]
     lines.append(f"terminate after {scope.number(plan.duration)} seconds")
     return "\n".join(lines)
 

@@ -16,6 +16,8 @@ LONGEST_APPROACH = 200.0
 """m of lane before a junction that maps can be expected to have."""
 AT_THE_EDGE = 10.5
 """m from ego's middle to the junction before which it stands: with room for a crosswalk."""
+USUAL_RUN = 20.0
+"""s for which there is road."""
 SHORTEST = 0.4
 """The least share of the wanted way to a junction; a map that has not even that may have it across another one."""
 PAST = 25.0
@@ -79,13 +81,14 @@ def fastest(place: PlaceSpec, speed: float, ego: EgoSpec, objects: dict[str, Obj
     return max([speed, *phases, *(middle(speed_of(o, place)) for o in objects.values() if is_vehicle(o.type))])
 
 
-def after(place: PlaceSpec, speed: float, duration: float, ego: EgoSpec, objects: dict[str, ObjectSpec]) -> float:
+def after(place: PlaceSpec, speed: float, ego: EgoSpec, objects: dict[str, ObjectSpec]) -> float:
+    """How much road there must be ahead of ego's start, m: the same however long the run is."""
     far = _furthest(objects, speed, place)
     far = max(
         [far, *(_oncoming_gap(o, speed, place) for o in objects.values() if o.placement.position == "oncoming_lane")]
     )
     limit = {"curve": 450.0, "crosswalk": 150.0}.get(place.kind, 1050.0)
-    wanted = max(fastest(place, speed, ego, objects) * min(duration, 20) + far * 0.5, far + 60, 150)
+    wanted = max(fastest(place, speed, ego, objects) * USUAL_RUN + far * 0.5, far + 60, 150)
     return min(math.ceil(wanted / 50) * 50.0, limit)
 
 

@@ -7,7 +7,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.contradictions import ResolveError
 
-Paced = TypeVar("Paced", EgoSpec, ObjectSpec, Phase)
+Paced = TypeVar("Paced", bound=EgoSpec | ObjectSpec | Phase)
 
 
 def paced(structure: Structure) -> Structure:
@@ -16,7 +16,7 @@ def paced(structure: Structure) -> Structure:
         spec, place = component.spec, structure.place.spec
         assert isinstance(spec, EgoSpec | ObjectSpec) and isinstance(place, PlaceSpec)
         phases = tuple(_with_speed(p, f"{component.id}.phases.{i}", spec, place) for i, p in enumerate(spec.phases))
-        found = _with_speed(spec, component.id, spec, place)
+        found: EgoSpec | ObjectSpec = _with_speed(spec, component.id, spec, place)
         if found is not spec or phases != spec.phases:
             structure = structure.with_spec(component.id, found.model_copy(update={"phases": phases}))
     return structure

@@ -13,6 +13,7 @@ import numpy as np
 from c2s_engine.require.due import arrival, conflict_begins, to_meet
 from c2s_engine.require.evidence import Evidence, Motion
 from c2s_engine.require.geometry import box_distance, lead, post_encroachment, time_to_collision
+from c2s_engine.require.natural import MOVING
 from c2s_engine.require.outcome import struck as struck_pairs
 from c2s_engine.require.results import between, scored, span, unknown, words
 from c2s_engine.require.scene import Scene, bounds
@@ -50,10 +51,20 @@ def answers(phase: Phase, structure: Structure) -> bool:
         return phase.gap is None and (phase.clearance is None or phase.action != "stop")
     if trigger is not None and (trigger.subject not in (None, EGO) or trigger.kind in GONE_BY):
         return False  # it waits for its chance
+    if trigger is not None and _landmark(structure, trigger.of):
+        return False
     if trigger is not None:
         return trigger.of is not None or trigger.kind in ("distance", "ttc", "action")
     stands = phase.action in ("brake", "stop", "wait")
     return stands and getattr(structure.ego.spec, "reaction", "none") != "none" and not getattr(place, "control", None)
+
+
+def _landmark(structure: Structure, cid: str | None) -> bool:
+    """Whether something only tells where ego is: a thing beside the road, or one that is driven over."""
+    spec = structure[cid].spec if cid and cid in structure and cid != EGO else None
+    if not isinstance(spec, ObjectSpec) or spec.type in MOVING:
+        return False
+    return spec.placement.position in ("roadside", "sidewalk") or spec.type == "slippery_patch"
 
 
 def without_reaction(structure: Structure) -> Structure | None:

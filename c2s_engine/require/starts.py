@@ -26,6 +26,8 @@ LENGTHWISE = {"ahead": "ahead", "behind": "behind", "oncoming_lane": "ahead", "o
 SIDEWAYS = {"left_lane": "left", "right_lane": "right", "crossing_left": "left", "crossing_right": "right"}
 WIDE = 3.5
 """m to the side at which one is beyond the next lane."""
+LANE = 3.5
+"""m, of most maps' lanes."""
 RIDERS = ("bicycle", "motorcycle")
 """Who is beside another in its lane or at its edge, too."""
 OFF_LANES = ("roadside", "sidewalk", "parked")
@@ -50,7 +52,12 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
         lanes = (*lanes, "same", "roadside", "sidewalk") if spec.type in RIDERS else lanes
     if scene.place.kind == "roundabout" and "crossing" in (lanes or ()):  # arms meet at any angle
         lanes = ("crossing", "oncoming")
-    beyond = place.lateral is not None and low(place.lateral) > WIDE  # not the next lane
+    beyond = place.lateral is not None and low(place.lateral) > WIDE or place.lanes_over > 1  # not the next lane
+    if place.lanes_over > 1 and place.position in SIDEWAYS:
+        sign = 1 if place.position == "left_lane" else -1
+        text = f"{name} starts {place.lanes_over} lanes to the {SIDEWAYS[place.position]} of {of}."
+        yield scene.make("start", "lanes_over", actor, "placement.lanes_over", text, other=place.of,
+                         over=sign * place.lanes_over)  # fmt: skip
     beside = place.position in ("beside", "left_lane", "right_lane") and place.of == EGO
     if lanes and not beyond and not (beside and scene.place.kind == "on_ramp"):  # by the ramp, not yet next to it
         yield scene.make("start", "start_lane", actor, "placement.position", f"{name} starts {where} of {of}.",
@@ -202,6 +209,16 @@ def lateral(requirement: Requirement, evidence: Evidence) -> Result:
     return between(requirement, seen, room, said, f"{seen:.1f} m", 0.0)
 
 
+def lanes_over(requirement: Requirement, evidence: Evidence) -> Result:
+    one, other, over = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO), 0.0
+    said = f"{requirement.values['over']:g} lanes to the left"
+    if one is None or other is None or not one.course.ego_aside:
+        return unknown(requirement, said, "its place was not recorded")
+    over = (one.course.ego_aside[0] - (other.course.ego_aside[0] if other.course.ego_aside else 0.0)) / LANE
+    off = abs(over - float(requirement.values["over"]))  # type: ignore[arg-type]
+    return scored(requirement, 1.0 - off / 0.5, said, f"{over:.1f}", 0.0)
+
+
 def arrives(requirement: Requirement, evidence: Evidence) -> Result:
     """Measured where ego does not react, on the ways and speeds up to their first contact."""
     room, said = bounds()["conflict"]["arrives"]["value"], f"{words(requirement, 's')} after ego"
@@ -253,5 +270,6 @@ def facing(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 CHECKS = {"start_lane": start_lane, "start_along": start_along, "start_side": start_side, "start_gap": start_gap,
-          "lateral": lateral, "arrives": arrives, "off_lanes": off_lanes, "partly_in": partly_in, "hidden": hidden,
+          "lateral": lateral, "lanes_over": lanes_over, "arrives": arrives,
+          "off_lanes": off_lanes, "partly_in": partly_in, "hidden": hidden,
           "facing": facing}  # fmt: skip

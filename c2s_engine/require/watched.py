@@ -1,6 +1,7 @@
 """What a trigger watches, on the tracks: a phase begins as that comes about, and ends where it is said to end then."""
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from c2s_engine.require.results import between, decided, scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low, middle
-from c2s_engine.structure.requirements import Requirement, Result, Value
+from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import Phase, SettingsSpec, Trigger
 from c2s_engine.structure.triggers import JUDGED_HERE, NEW_PLACES, clause
 
@@ -70,7 +71,7 @@ def _other(scene: Scene, subject: str) -> str:
     return EGO if subject != EGO else next(iter(scene.objects), EGO)
 
 
-def _values(scene: Scene, t: Trigger, actor: str) -> dict[str, Value]:
+def _values(scene: Scene, t: Trigger, actor: str) -> dict[str, Any]:
     subject = t.subject or actor
     awaited = ""
     for who, i, phase in scene.phases():

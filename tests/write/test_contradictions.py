@@ -2,13 +2,24 @@
 
 import itertools
 import typing
+from pathlib import Path
 
 import draws
 import pytest
+import yaml
 
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.specs import Condition, ObjectSpec, Phase, Placement, PlaceSpec, RestrictionsSpec, Trigger
+from c2s_engine.structure.specs import (
+    Condition,
+    ObjectSpec,
+    Phase,
+    Placement,
+    PlaceSpec,
+    RestrictionsSpec,
+    SettingsSpec,
+    Trigger,
+)
 from c2s_engine.write.typed import ResolveError, contradiction, make_plan
 from c2s_engine.write.typed.contradictions import contradictions
 
@@ -65,3 +76,17 @@ def test_rows_name_only_what_the_vocabulary_has():
     for row in contradictions():
         assert row.places <= set(PLACES) and row.positions <= set(POSITIONS) and row.actions <= set(ACTIONS)
         assert row.because and row.fields
+
+
+CANNOT_COME = yaml.safe_load((Path(__file__).parent / "cannot_come.yaml").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("said", CANNOT_COME, ids=lambda said: f"{said['field']} {said['words']}")
+def test_what_cannot_come_about_is_refused_with_what_to_change(said):
+    structure = Structure(
+        settings=Component(id="G", spec=SettingsSpec.model_validate(said.get("G", {}))),
+        place=Component(id="R", spec=PlaceSpec(kind="straight")),
+        objects=(Component(id="O1", spec=ObjectSpec.model_validate({"name": "a", **said.get("O1", {})})),),
+    )
+    error = contradiction(structure)
+    assert error is not None and said["field"] in error.fields and said["words"] in str(error)

@@ -158,6 +158,8 @@ def _at_the_line(phases: list[Phase], red: bool) -> list[Phase]:
     """The phases of one who stops before the junction for its light, or and then goes over it: where that stop is."""
     if red and len(phases) == 1 and phases[0].action == "stop" and phases[0].trigger is None:
         return [phases[0].model_copy(update={"trigger": AT_LINE})]
+    if red and [p.action for p in phases[:2]] == ["stop", "start"] and phases[0].trigger is None:
+        return [phases[0].model_copy(update={"trigger": AT_LINE}), *phases[1:]]
     if len(phases) < 2 or phases[0].action != "stop" or phases[0].trigger is not None or phases[1].action not in TURN:
         return phases
     stop = phases[0].model_copy(update={"trigger": AT_LINE, "duration": phases[0].duration or QUEUED})

@@ -15,7 +15,7 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.reactions import reacting_phases
 from c2s_engine.write.typed.spread import spread
-from c2s_engine.write.typed.tables import BLUEPRINTS, HEIGHT, LENGTH, is_static
+from c2s_engine.write.typed.tables import BLUEPRINTS, HEIGHT, LENGTH, NOTE, is_static
 from c2s_engine.write.typed.threats import threatening
 from c2s_engine.write.typed.usual import crosses, default_gap, speed_of
 from c2s_engine.write.typed.usual_values import TIMED
@@ -54,7 +54,8 @@ def _decided(structure: Structure, written: Structure, plan: Plan, cid: Componen
         speed = spec.speed if is_static(spec) else _speed(spec, plan)
         spec = spec.model_copy(update={"speed": speed, "placement": _placed(spec, plan)})
     if isinstance(asked, ObjectSpec) and asked.type in HEIGHT and asked.model is None:
-        reason = f"CARLA has no {asked.type}: {BLUEPRINTS[asked.type][0]} stands in, as large as one in the dry run"
+        kind, stands_in = asked.type.replace("_", " "), BLUEPRINTS[asked.type][0]
+        reason = f"CARLA has no {kind}: {stands_in} stands in, as large as one in the dry run{NOTE.get(asked.type, '')}"
         size = f"{LENGTH[asked.type]:g} m long, {HEIGHT[asked.type]:g} m high"
         yield Assumption(field="model", value=size, reason=reason, by=BY)
     for path, was, now in differences(asked, spec):

@@ -3,7 +3,7 @@
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.contradictions import ResolveError
-from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, is_static, is_vehicle
+from c2s_engine.write.typed.tables import FLAT, LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, is_static, is_vehicle
 from c2s_engine.write.typed.usual import default_gap
 
 
@@ -62,6 +62,8 @@ def leads(
     def before(cid: str, other: str) -> bool:
         if other != "ego" and lanes[other] == 0 and any(p.action == "cut_in" for p in objects[cid].phases):
             return other != cid  # whom it finds there, wherever it comes from
+        if other != "ego" and objects[other].type in FLAT:
+            return False
         same = lanes[other] == lane_of[cid] or other == "ego" and lane_of[cid] in comes
         return same and other != cid and at[other] > at[cid]
 

@@ -1,8 +1,11 @@
 """The reference of S in Markdown, from the specs, the vocabulary, the contradictions and the events themselves.
 
-`python -m c2s_engine.write.typed.reference > docs/VOCABULARY.md` writes it anew; a test holds that it is up to date.
+`python -m c2s_engine.write.typed.reference > docs/VOCABULARY.md` writes it anew, and with `terms` docs/TERMS.md, how
+the field's terms are said; tests hold that both are up to date.
 """
 
+import json
+import sys
 import typing
 from typing import Any
 
@@ -75,5 +78,40 @@ def _table(head: typing.Sequence[str], rows: typing.Iterable[typing.Sequence[str
     return "\n".join(lines)
 
 
+def terms() -> list[dict[str, Any]]:
+    """The field's terms: data/terms.yaml."""
+    return yaml.safe_load(shipped("terms.yaml").read_text(encoding="utf-8"))
+
+
+def terms_page() -> str:
+    """How each is said in S, what is required of a run, and what stands in for it or why it cannot be said."""
+    parts = [
+        "# How terms are said in S",
+        "Generated from data/terms.yaml: `python -m c2s_engine.write.typed.reference terms`. A term is said by "
+        "composition of what docs/VOCABULARY.md has; a run of each that is said is a test (tests/write/test_terms.py), "
+        "in which its requirements hold.",
+    ]
+    for part in dict.fromkeys(row["in"] for row in terms()):
+        rows = [row for row in terms() if row["in"] == part]
+        parts += [f"## {part}", _table(("term", "said", "required of a run", "stand-in or reason"), map(_term, rows))]
+    return "\n\n".join(parts) + "\n"
+
+
+def _term(row: dict[str, Any]) -> tuple[str, ...]:
+    if "S" not in row:
+        return row["term"], "", "", f"not expressible: {row['not_expressible']}"
+    holds = ", ".join(f"`{name}`" for name in row["holds"])
+    sees = "".join(f", event `{event}`" for names in row.get("sees", {}).values() for event in names)
+    return row["term"], f"`{row['says']}: {_said(row)}`", holds + sees, row.get("stands_in", "")
+
+
+def _said(row: dict[str, Any]) -> str:
+    """The part of its scene that says a term, in YAML's flow style."""
+    at: Any = row["S"]
+    for name in row["says"].split("."):
+        at = at["O"][int(name[1:]) - 1] if name[:1] == "O" and name[1:].isdigit() else at[name]
+    return json.dumps(at).replace('"', "")
+
+
 if __name__ == "__main__":
-    print(markdown(), end="")
+    print(terms_page() if sys.argv[1:] == ["terms"] else markdown(), end="")

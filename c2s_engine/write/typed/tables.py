@@ -24,6 +24,8 @@ LENGTH: dict[str, float] = {k: v["length"] for k, v in _TABLES["types"].items()}
 OBSTRUCTING: dict[str, str] = _TABLES["obstructing"]
 HEIGHT: dict[str, float] = {k: v["height"] for k, v in _TABLES["types"].items() if v.get("height")}
 """m, of what another prop stands in for at another size."""
+NOTE: dict[str, str] = {k: v["note"] for k, v in _TABLES["types"].items() if v.get("note")}
+"""What more is to be said of what stands in."""
 WIDTH: dict[str, float] = {k: v["width"] for k, v in _TABLES["types"].items()}
 ROLE: dict[str, str] = {k: v["role"] for k, v in _TABLES["types"].items() if v.get("role")}
 DEFAULT_SPEED: dict[str, dict[str, float]] = _TABLES["speeds"]

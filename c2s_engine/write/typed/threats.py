@@ -40,9 +40,7 @@ def beside_way(structure: Structure, cid: str | None) -> bool:
 
 def threatening(structure: Structure) -> list[str]:
     """The ids of the objects that may come into ego's way: all that move, and what stands in its lane."""
-    objects = [
-        (c.id, c.spec) for c in structure.objects if isinstance(c.spec, ObjectSpec) and c.spec.type not in FLAT
-    ]
+    objects = [(c.id, c.spec) for c in structure.objects if isinstance(c.spec, ObjectSpec) and c.spec.type not in FLAT]
     return [cid for cid, spec in objects if spec.placement.position in IN_WAY or not is_static(spec)]
 
 

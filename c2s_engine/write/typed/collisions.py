@@ -4,7 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, MOVES_OFF_ROAD, is_static, is_walker
+from c2s_engine.write.typed.tables import LANE_WIDTH, MOVES_OFF_ROAD, is_static
 from c2s_engine.write.typed.threats import slowed
 from c2s_engine.write.typed.usual import SETS_OUT
 
@@ -31,41 +31,33 @@ Step = tuple[list[str], str]
 
 
 def collides(c: Course, p: Phase) -> list[Step]:
-    """The steps up to the contact."""
+    """The steps up to the contact: as it drives until both touch, where paths and times make them; nobody aims."""
     sets_off = not c.value and "start" in _before(c, p)
     other, goal = c.actor.ref(p.target), c.wanted(p, SETS_OUT if sets_off else c.value)
     c.set(goal)
     beside = _beside_the_lane(c, p) if c.actor.is_ego else ""
-    if not c.actor.is_ego and "enter_road" in _before(c, p):  # pulled out so as to be met
-        return _drives_on(c, other)
-    if "u_turn" in _before(c, p):
-        return _at_last(other, c.drive(), goal)
     if _over_the_middle(c) or beside == "oncoming_lane":
-        return _at_last(other, c.drive(offset=scope.number(LANE_WIDTH), shift=2), goal)
+        return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], f"until touch(self, {other})"), _stands(c)]
     if beside:
         return straight_for(c, p, p.target or "")
+    if "overtake" in _before(c, p) and c.lane is not None:  # it comes back too early
+        return _from_line(c, c.along_lane(), other)
+    if c.actor.approach or "enter_road" in _before(c, p) or _before(c, p) & SIDEWAYS:
+        return _drives_on(c, other)
+    side = _leaves_the_lane(c.actor.structure)
+    if not c.same_lane(p):  # it comes over, unless the other does
+        if not side or c.actor.is_ego:
+            return _comes_over(c, p, other)
+        waits = f"lambda: pace(self, {other}, {c.speed})"
+        until = slowed(c.actor, p.target)
+        return [*([([c.drive(waits, 4)], f"until {until} or {LATE}")] if until else []), *_drives_on(c, other)]
     if c.actor.is_ego:
-        spec = c.other(p.target)
-        if spec is not None and spec.placement.position in APPROACH_ANGLE:
-            return _at_the_junction(c, p, other, goal)
-        if not _before(c, p) & (SIDEWAYS | {"brake"}) and (_on_foot(c, p) or _stays_ahead(c, p)):
-            return [([c.drive()], f"until touch(self, {other})")]
-        level = c.target_lane(p) is not None and c.target_speed(p) > 0
-        return _at_last(other, _level(c, other) if level else c.drive(), goal)
-    if c.actor.approach:
-        return _at_the_junction(c, p, other, goal)
-    if not c.same_lane(p) and _leaves_the_lane(c.actor.structure):  # it waits for ego to come over
-        if until := slowed(c.actor, p.target):
-            behind = c.drive(f"lambda: pace(self, {other}, {c.speed})", 4)
-            return [([behind], f"until {until} or {LATE}"), *_at_last(other, c.drive(), goal)]
-        return _at_last(other, f"do Drive(line, lambda: lurk(self, {other}, {c.speed}))", goal)
-    if not c.same_lane(p) or _before(c, p) & SIDEWAYS:
-        return _at_last(other, _level(c, other), goal)
+        return _drives_on(c, other)
     faster = max(goal, c.target_speed(p) + 4)
-    if side := _leaves_the_lane(c.actor.structure):  # after it
-        line = [c.onto(side)] if (c.lane or 0) + side in c.actor.plan.offsets else []
-        first, *rest = _at_last(other, c.drive(c.set(faster)), faster)
-        return [([*line, *first[0]], first[1]), *rest]
+    if side:  # after it
+        line = c.onto(side) if (c.lane or 0) + side in c.actor.plan.offsets else ""
+        c.set(faster)
+        return _from_line(c, line, other)
     until = slowed(c.actor, p.target)
     if not until:  # nothing else brings it to the other than that it is faster
         c.set(faster)
@@ -75,27 +67,32 @@ def collides(c: Course, p: Phase) -> list[Step]:
     return _drives_on(c, other)
 
 
+def _comes_over(c: Course, p: Phase, other: str) -> list[Step]:
+    """From the next lane onto the other's until both touch."""
+    lane = c.target_lane(p)
+    step = 0 if lane is None or c.lane is None else max(-1, min(1, lane - c.lane))
+    return _from_line(c, c.onto(step) if step else "", other)
+
+
+def _from_line(c: Course, line: str, other: str) -> list[Step]:
+    """Along another line until both touch."""
+    first, *rest = _drives_on(c, other)
+    return [([*([line] if line else []), *first[0]], first[1]), *rest]
+
+
 def _before(c: Course, p: Phase) -> set[str]:
     """What it does before a phase."""
     phases = c.actor.spec.phases
     return {q.action for q in phases[: phases.index(p)]} if p in phases else set()
 
 
-def _at_last(other: str, on_the_way: str, speed: float) -> list[Step]:
-    """On the way until the other is near, and then at it."""
-    ram = f"do Ram({other}, {scope.number(speed)})"
-    return [([on_the_way], f"until near(self, {other})"), ([ram], f"until touch(self, {other})")]
-
-
-def _at_the_junction(c: Course, p: Phase, other: str, goal: float) -> list[Step]:
-    """By another road to where it meets the other: it started so that both are there together, and drives on."""
-    c.set(goal)
-    return _drives_on(c, other)
-
-
 def _drives_on(c: Course, other: str) -> list[Step]:
     """As before until both touch: it does not look, or nobody gives way."""
-    return [([c.drive()], f"until touch(self, {other})"), ([c.drive("0", STOPS_AT)], "")]
+    return [([c.drive()], f"until touch(self, {other})"), _stands(c)]
+
+
+def _stands(c: Course) -> Step:
+    return [c.drive("0", STOPS_AT)], ""
 
 
 def sets_out_to_meet(c: Course) -> str:
@@ -119,16 +116,6 @@ def backs_into(c: Course, other: str, pace: float) -> list[Step]:
     straight = isinstance(spec, ObjectSpec) and spec.placement.position in MOVES_OFF_ROAD and other == "ego"
     back = f"do Backwards({scope.number(pace)})" if straight else f"do BackInto({other}, {scope.number(pace)})"
     return [([back], f"until touch(self, {other})")]
-
-
-def _stays_ahead(c: Course, p: Phase) -> bool:
-    """Whether the other is in its lane, and keeps to it."""
-    spec = c.other(p.target)
-    return c.same_lane(p) and spec is not None and not _does(spec) & (SIDEWAYS | GOES_THERE)
-
-
-def _level(c: Course, other: str) -> str:
-    return c.drive(f"lambda: level(self, {other}, {c.speed})", 4)
 
 
 def _leaves_the_lane(structure: Structure) -> int:
@@ -159,11 +146,6 @@ def straight_for(c: Course, p: Phase, hit: str) -> list[Step]:
     near = f"until (distance from self to {other}) < 15 + 1.5 * self.speed"
     ram = f"do Ram({other}, {c.speed})"
     return [([c.drive(c.set(c.wanted(p, c.value)))], near), ([ram], f"until touch(self, {other})")]
-
-
-def _on_foot(c: Course, p: Phase) -> bool:
-    spec = c.other(p.target)
-    return spec is not None and (is_walker(spec.type) or spec.type in ("bicycle", "animal"))
 
 
 def _over_the_middle(c: Course) -> bool:

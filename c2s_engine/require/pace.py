@@ -51,7 +51,8 @@ def _moments(requirement: Requirement, evidence: Evidence) -> list[float]:
 def _last(requirement: Requirement, moments: list[float], evidence: Evidence) -> float:
     """The last thing that happens: of what is said, a junction left behind, a contact, that somebody comes to its stand
     or that ego's braking for others is over."""
-    left = [_leaves(m, t, bool(requirement.values["round"])) for key, m in _passing(requirement, evidence) if (t := evidence.times.get(key)) is not None]
+    seen = [(m, evidence.times.get(key)) for key, m in _passing(requirement, evidence)]
+    left = [_leaves(m, t, bool(requirement.values["round"])) for m, t in seen if t is not None]
     stands = [
         float(m.time[len(m.speed) - 1 - int((m.speed[::-1] >= STANDING).argmax())])
         for m in evidence.everybody if m.moves and m.speed[-1] < STANDING
@@ -130,8 +131,8 @@ def no_dead_time(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 def _speed_moments(evidence: Evidence) -> list[float]:
-    """When somebody brakes (all the while), gains speed, turns, comes into a junction or first moves aside: not said, and
-    yet something that happens."""
+    """When somebody brakes (all the while), gains speed, turns, comes into a junction or first moves aside: not said,
+    and yet something that happens."""
     limits, moving = bounds()["phase"], [m for m in evidence.everybody if m.moves]
     times = [m.time[m.acceleration < -limits["change_rate"]["value"]] for m in moving]
     times += [m.time[np.abs(beside(m)) > limits["begun"]["value"]][:1] for m in moving]

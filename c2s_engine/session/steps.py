@@ -106,7 +106,8 @@ def _state(component: Component) -> ComponentState:
 
 def _own_length(program: Program) -> float:
     """The s after which a program says that it ends, 0 where it says nothing."""
-    return max((float(s) for s in re.findall(r"^terminate after ([\d.]+) seconds", program.text, re.MULTILINE)), default=0.0)
+    said = re.findall(r"^terminate after ([\d.]+) seconds", program.text, re.MULTILINE)
+    return max(map(float, said), default=0.0)
 
 
 async def check(

@@ -85,8 +85,8 @@ def _in_ring(situation: Situation, junction: str) -> bool:
 
 
 def _round(seen: Seen, situation: Situation, rings: list[tuple[str, int, int]]) -> Iterator[tuple[str, int]]:
-    """(event, step) of its ways through roundabouts, each taken as one junction: by the direction in which it leaves, at
-    the step at which it comes in; of one that is in the ring at the start by whether it leaves it."""
+    """(event, step) of its ways through roundabouts, each taken as one junction: by the direction in which it leaves,
+    at the step at which it comes in; of one that is in the ring at the start by whether it leaves it."""
     if not rings or situation.extras is None:
         return
     ring, lanes = _ring_roads(situation.extras), situation.index.lanes

@@ -14,7 +14,7 @@ from c2s_engine.write.typed import room as rooms
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.pockets import pocketed
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP, TURN
 from c2s_engine.write.typed.threats import hits_ego, is_hit
 from c2s_engine.write.typed.usual import speed_of, turn_of, uses_crosswalk
 
@@ -59,7 +59,8 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     passed = pocketed(objects, place)
     ways = {cid: (o.placement.position, turn_of(o.phases)) for cid, o in crossing.items()}
     speed, top = middle(speed_of(ego, place)), high(speed_of(ego, place))
-    far = place.kind == "roundabout" or rooms.to_merge_end(ego, objects)
+    through = place.kind == "roundabout" and any(p.action in TURN for p in lanes.all_phases(ego, objects))
+    far = through or rooms.to_merge_end(ego, objects)
     duration = getattr(restrictions, "duration", None) or (LONG if far else USUAL)
     met = frozenset(cid for cid, o in crossing.items() if hits_ego(o) or is_hit(ego, cid))
     set_out = frozenset(cid for cid in met if _sets_out(objects[cid]))

@@ -29,8 +29,8 @@ def pocketed(objects: Mapping[str, ObjectSpec], place: PlaceSpec) -> dict[str, s
 
 
 def own_ways(structure: Structure) -> Structure:
-    """S where those who come from behind one that waits on an approach, or drive in the lane next to it, and go past it,
-    come by that approach themselves."""
+    """S where those who go past one that waits on an approach, from behind it or in the lane next to it, come by that
+    approach themselves."""
     objects = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
     if getattr(structure.place.spec, "kind", "") == "roundabout":
         return structure

@@ -9,7 +9,7 @@ from c2s_engine.write.typed.hiding import standing
 from c2s_engine.write.typed.lanes import pulls_out
 from c2s_engine.write.typed.passing import passing
 from c2s_engine.write.typed.pockets import own_ways
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, OBSTRUCTING, TURN, is_static, is_vehicle
+from c2s_engine.write.typed.tables import LENGTH, OBSTRUCTING, TURN, is_static, is_vehicle
 from c2s_engine.write.typed.threats import IN_WAY, is_hit
 from c2s_engine.write.typed.usual import LONGEST_VIEW, UNDISTURBED, default_gap, speed_of
 
@@ -52,8 +52,6 @@ def normal(structure: Structure) -> Structure:
             hits = [p for p in spec.phases if p.action == "collide"] or [Phase(action="collide", target="ego")]
             found = _placed(spec, position="behind", gap=round(PASSES_IN * max(middle(speed_of(spec, place)), 5)))
             found = found.model_copy(update={"phases": tuple(hits)})
-        elif _met_in_turn(component.id, spec, ego, turn):
-            found = spec.model_copy(update={"phases": (*spec.phases, Phase(action="collide", target="ego"))})
         elif _is_let_by(component.id, spec, ego):
             found = spec.model_copy(update={"phases": (Phase(action="overtake", target="ego"),)})
         if found is not spec:
@@ -169,15 +167,6 @@ def _passes_where_ego_comes_out(cid: str, spec: ObjectSpec, ego: EgoSpec) -> boo
     collides = is_hit(ego, cid) or any(p.action == "collide" and p.target in (None, "ego") for p in spec.phases)
     plain = {p.action for p in spec.phases} <= {"collide", "keep_lane", "go_straight", "move_along"}
     return pulls_out(ego) and collides and plain and _open_ahead(spec) and spec.placement.facing is None
-
-
-def _met_in_turn(cid: str, spec: ObjectSpec, ego: EgoSpec, turn: str | None) -> bool:
-    """Whether ego runs, in its turn, into one that goes straight on over the junction: both drive at each other."""
-    actions = [p.action for p in ego.phases]
-    after = "turn_left" in actions and "collide" in actions[actions.index("turn_left") :]
-    if turn != "left" or not after or not is_hit(ego, cid) or spec.placement.position not in APPROACH_ANGLE:
-        return False
-    return {p.action for p in spec.phases} <= {"go_straight", "keep_lane", "run_red", "run_stop", "move_along"}
 
 
 def _leaves_side_road(spec: ObjectSpec, place: PlaceSpec, turn: str | None) -> bool:

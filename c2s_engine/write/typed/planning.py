@@ -34,8 +34,6 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     _placed_after(structure)
     two_way = place.oncoming is True and place.kind in ("road", "straight", "curve")
     place = _place_kind(place, ego, objects)
-    if place.kind == "on_ramp":  # beside a ramp there is the motorway, on the left
-        objects = {c: _on_the_left(o) for c, o in objects.items()}
     lane_of = {cid: lanes.lane_offset(cid, objects) for cid in objects}
     if broken := contradictions.first(place, ego, objects.values()):
         raise ResolveError(broken.because, broken.fields)
@@ -134,12 +132,6 @@ def _placed_after(structure: Structure) -> None:
     for c in (structure.ego, structure.restrictions, *structure.objects):
         if missing := references(c) - known - {"E"}:
             raise ResolveError(f"{c.id} names {', '.join(sorted(missing))}, which is not there", (c.id,))
-
-
-def _on_the_left(o: ObjectSpec) -> ObjectSpec:
-    if o.placement.position not in ("right_lane", "beside"):
-        return o
-    return o.model_copy(update={"placement": o.placement.model_copy(update={"position": "left_lane"})})
 
 
 def _runs_stop(o: ObjectSpec) -> bool:

@@ -190,7 +190,7 @@ def let_go_first(motion: Motion, other: Motion | None) -> list[float]:
 
 
 def _waited(motion: Motion, other: Motion) -> list[float]:
-    """When it begins to slow down before a junction in which another is then, who comes nearer, before it drives on."""
+    """When it begins to slow down before a junction in which another is then, who comes nearer to where it waits."""
     n, change = min(len(motion.x), len(other.x)), bounds()["phase"]["change"]["value"]
     speed = motion.smooth[:n]
     slow = int(speed.argmin())
@@ -198,7 +198,7 @@ def _waited(motion: Motion, other: Motion) -> list[float]:
     again = slow + int((speed[slow:] > speed[slow] + change).argmax())
     if speed[: slow + 1].max() - speed[slow] < change or again == slow:
         return []
-    front, apart = motion.of_course("along")[slow], np.hypot(motion.x[:n] - other.x[:n], motion.y[:n] - other.y[:n])
+    front, apart = motion.of_course("along")[slow], np.hypot(other.x - motion.x[slow], other.y - motion.y[slow])
     before = any(m.kind == "line" and abs(m.start - front) < WAITS for m in motion.course.marks)
     within = any(s is not None and s.kind == "junction" for s in map(other.stay, other.time[began:again]))
     return [float(motion.time[began])] if before and within and apart[again] < min(apart[began], NEAR) else []

@@ -56,6 +56,7 @@ class Actor:
     sight: tuple[tuple[float, bool], ...] = ((0.0, True),)
     hidden_behind: tuple[str, ...] = ()
     across: bool = False  # it moves along x instead of y
+    of: str = "ego"  # whom `relations`, `lanes` and `gap` are seen from
 
 
 @dataclass
@@ -117,7 +118,7 @@ def _built(actor: Actor, steps: int, mirrored: bool) -> tuple[Track, ObjectFacts
         name=actor.name, component=actor.component, types=TYPES.get(actor.kind, (actor.kind, "vehicle")), length=length,
         width=width, moves=bool(speed.max() > 0), hidden_behind=actor.hidden_behind,
         events=tuple(EventFact(**{**e.model_dump(), "event": swap(e.event)}) if mirrored else e for e in actor.events),
-        starts={} if actor.name == "ego" else {"ego": _start(start) if mirrored else start},
+        starts={} if actor.name == "ego" else {actor.of: _start(start) if mirrored else start},
     )  # fmt: skip
     return track, facts
 

@@ -89,6 +89,33 @@ PASSED = {"events": (event("overtake", 5.0, "other"),)}
 OUT = (Stay(time=0.0, lane=1, to_ego="own"), Stay(time=3.0, lane=2, to_ego="left"))
 BRAKES_LATER = Phase(action="brake", trigger=Trigger(kind="action", of="O1", action="brake", delay=2.0))
 
+FIRST = ObjectSpec(type="pedestrian", placement=Placement(position="roadside", side="right"),
+                   phases=(Phase(action="cross_road"),))  # fmt: skip
+NEXT = ObjectSpec(
+    type="pedestrian", placement=Placement(position="roadside", side="right", of="O1", along="ahead"),
+    phases=(Phase(action="enter_road", trigger=Trigger(kind="action", of="O1", action="cross_road")),),
+)  # fmt: skip
+FIRST_WALKS = Actor("first", "O1", **{**WALKS, "speed": ramp((0, 0), (2.9, 0), (3, 1.4), (12, 1.4)),
+                                      "events": (event("cross_road", 6.0, "ego"),)})  # fmt: skip
+
+
+def next_walks(at: float, y: float = 42.0) -> Actor:
+    """Somebody beside the first, who sets out `at` s."""
+    speed = ramp((0, 0), (at - 0.1, 0), (at, 1.4), (12, 1.4))
+    more = {"speed": speed, "y": y, "events": (event("enter_road", at + 1.0),), "relations": ("behind",), "of": "first"}
+    return Actor("next", "O2", **{**WALKS, **more})
+
+
+RING = PlaceSpec(kind="roundabout")
+ENTERS = ObjectSpec(placement=Placement(position="crossing_right"))
+YIELDS = EgoSpec(phases=(Phase(action="yield", target="O1"),))
+SLOWS_AT_LINE = {"speed": ramp((0, 10), (2, 10), (8, 0), (9, 0), (11, 8), (12, 8)), "marks": (LINE,)}
+IN_JUNCTION = (Stay(time=0.0, lane=2, kind="junction", to_ego="crossing"),)
+MERGE = (Mark(kind="merge", start=20.0, end=80.0, name="1"),)
+AT_END = EgoSpec(phases=(Phase(action="brake", speed=2.0, trigger=Trigger(kind="place", place="merge_end")),))
+ROUND = EgoSpec(phases=(Phase(action="go_straight"), Phase(action="stop")))
+STOPS_LATE = {"speed": ramp((0, 10), (10.9, 10), (12, 0)), "events": (event("go_straight", 2.0),)}
+
 
 def cuts_in(**values: Any) -> ObjectSpec:
     return CUT_IN.model_copy(update={"phases": (Phase(action="cut_in", side="right", **values),)})
@@ -96,6 +123,48 @@ def cuts_in(**values: Any) -> ObjectSpec:
 
 CASES = [
     # what, the requirement, S, a run that shows it, one that just does not
+    (
+        "sets out once the other has",
+        "O2.phases.0.awaits",
+        s(FIRST, NEXT),
+        Scene([ego(), FIRST_WALKS, next_walks(3.2)]),
+        Scene([ego(), FIRST_WALKS, next_walks(2.2)]),
+    ),
+    (
+        "further along the road than one who looks across",
+        "O2.placement.along",
+        s(FIRST, NEXT),
+        Scene([ego(), FIRST_WALKS, next_walks(3.2, y=42.0)]),
+        Scene([ego(), FIRST_WALKS, next_walks(3.2, y=38.0)]),
+    ),
+    (
+        "comes in by another arm of a roundabout",
+        "O1.placement.position",
+        s(ENTERS, place=RING),
+        Scene([ego(), other(lanes=("oncoming",))]),
+        Scene([ego(), other(lanes=("right", "adjacent"))]),
+    ),
+    (
+        "waits for one who turns off",
+        "E.phases.0.yield",
+        s(ObjectSpec(placement=Placement(position="circulating")), ego=YIELDS, place=RING),
+        Scene([ego(**SLOWS_AT_LINE), other(x=-40.0, y=65.0, speed=3.0, across=True, stays=IN_JUNCTION)]),
+        Scene([ego(**SLOWS_AT_LINE), other(x=5.0, y=65.0, speed=3.0, across=True, stays=IN_JUNCTION)]),
+    ),
+    (
+        "brakes up to the end of the acceleration lane",
+        "E.phases.0.trigger",
+        s(ego=AT_END, place=PlaceSpec(kind="on_ramp")),
+        Scene([ego(speed=ramp((0, 10), (6, 10), (9, 2), (12, 2)), marks=MERGE)]),
+        Scene([ego(speed=ramp((0, 10), (4, 10), (7, 2), (12, 2)), marks=MERGE)]),
+    ),
+    (
+        "drives round meanwhile",
+        "T.pace.dead",
+        s(ego=ROUND),
+        Scene([ego(heading=ramp((0, 0), (12, 2.5)), **STOPS_LATE)]),
+        Scene([ego(heading=ramp((0, 0), (12, 0.5)), **STOPS_LATE)]),
+    ),
     (
         "brakes",
         "O1.phases.0.brake",

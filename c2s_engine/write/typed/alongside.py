@@ -88,10 +88,10 @@ def other_ways(structure: Structure, place: PlaceSpec, lane_of: dict[str, int | 
         spec, lane = component.spec, lane_of.get(component.id)
         assert isinstance(spec, ObjectSpec)
         steps = {"right": -1, "left": 1, None: 1}
-        for phase in spec.phases if lane is not None else ():
-            if phase.action in ("lane_change", "cut_out"):
+        for phase in spec.phases:
+            if lane is not None and phase.action in ("lane_change", "cut_out"):
                 lane += steps[phase.side]
-            lane = 0 if phase.action == "cut_in" else lane
+            lane = 0 if lane is not None and phase.action == "cut_in" else lane
         own = place.kind == "intersection" and lane == 0 and any(p.action in TURN for p in spec.phases)
         if own or offset(spec, ego, place):
             found.add(turn_of(spec.phases))

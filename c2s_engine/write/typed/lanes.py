@@ -167,7 +167,11 @@ def ramp_lanes(place: PlaceSpec, offsets: frozenset[int], ramp: bool) -> tuple[P
     left, right = max(offsets), -min(offsets)
     most_left, most_right = (1, 0) if place.kind == "on_ramp" else (1, 1) if place.kind == "off_ramp" else (2, 0)
     if left > most_left or right > most_right:
-        raise ResolveError("at this ramp there is no such neighbouring lane", ("R.kind", "O.placement.position"))
+        there = "only the road, on its left" if place.kind == "on_ramp" else "no such lane"
+        raise ResolveError(
+            f"beside this ramp there is {there}: change the position or the kind of place",
+            ("R.kind", "O.placement.position"),
+        )
     if place.kind == "on_ramp":
         offsets |= {1}
     return place.model_copy(update={"ego_lane": None, "lanes": None}), 0, offsets

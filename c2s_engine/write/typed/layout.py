@@ -135,9 +135,7 @@ def _start(
         at += draw(cid, gap) + half
         return _Start("road", at, LANE_WIDTH * (max(plan.offsets) + 1), at, -1)
     at += sign * (draw(cid, gap) + half) if sign else draw(cid, placement.gap or 0.0)
-    k = plan.lane_of[cid] or 0
-    k = k if k in plan.offsets else 1
-    y = LANE_WIDTH * k + aside(structure, cid, plan)
+    y = LANE_WIDTH * (plan.lane_of[cid] or 0) + aside(structure, cid, plan)
     return _Start("road", at, y, at, -1 if placement.facing == "against" else 1, sign or 1)
 
 

@@ -99,8 +99,6 @@ def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) 
 
 def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
     k = plan.lane_of[cid] or 0
-    if k not in plan.offsets:  # at a ramp the only neighbour is on the left
-        k = 1
     lane = LANE_NAME[k]
     sign = stations.along(spec)
     at = position_constant(structure, cid)

@@ -15,7 +15,7 @@ from c2s_engine.write.typed import room as rooms
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.pockets import pocketed
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP, TURN
 from c2s_engine.write.typed.threats import hits_ego, is_hit
 from c2s_engine.write.typed.usual import speed_of, turn_of, uses_crosswalk
 
@@ -37,8 +37,6 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     _placed_after(structure)
     two_way = place.oncoming is True and place.kind in ("road", "straight", "curve")
     place = _place_kind(place, ego, objects)
-    if place.kind == "on_ramp":  # beside a ramp there is the motorway, on the left
-        objects = {c: _on_the_left(o) for c, o in objects.items()}
     lane_of = {cid: lanes.lane_offset(cid, objects) for cid in objects}
     if broken := contradictions.first(place, ego, objects.values()):
         raise ResolveError(broken.because, broken.fields)
@@ -65,7 +63,8 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     passed = pocketed(objects, place)
     ways = {cid: (o.placement.position, turn_of(o.phases)) for cid, o in crossing.items()}
     speed, top = middle(speed_of(ego, place)), high(speed_of(ego, place))
-    far = place.kind == "roundabout" or rooms.to_merge_end(ego, objects)
+    through = place.kind == "roundabout" and any(p.action in TURN for p in lanes.all_phases(ego, objects))
+    far = through or rooms.to_merge_end(ego, objects)
     duration = getattr(restrictions, "duration", None) or (LONG if far else USUAL)
     kind = place.model_copy(update={"kind": "on_ramp"}) if ramp else place
     met = frozenset(cid for cid, o in crossing.items() if hits_ego(o) or is_hit(ego, cid))
@@ -149,12 +148,6 @@ def _placed_after(structure: Structure) -> None:
     for c in (structure.ego, structure.restrictions, *structure.objects):
         if missing := references(c) - known - {"E"}:
             raise ResolveError(f"{c.id} names {', '.join(sorted(missing))}, which is not there", (c.id,))
-
-
-def _on_the_left(o: ObjectSpec) -> ObjectSpec:
-    if o.placement.position not in ("right_lane", "beside"):
-        return o
-    return o.model_copy(update={"placement": o.placement.model_copy(update={"position": "left_lane"})})
 
 
 def _runs_stop(o: ObjectSpec) -> bool:

@@ -72,7 +72,8 @@ def swerves_by(c: Course) -> float:
 def goes_round(c: Course, p: Phase) -> list[Step]:
     """Out as far as the target takes, past it, past those who are met there, and back."""
     s, target = c.actor.structure, str(p.target)
-    side = {"left": ", 1", "right": ", -1", None: ""}[p.side]
+    free = [step for step in (1, -1) if (c.lane or 0) + step in c.actor.plan.offsets]
+    side = {"left": ", 1", "right": ", -1", None: f", {free[0]}" if len(free) == 1 else ""}[p.side]
     room = f", room={scope.number(PASSING)}" if beside_way(s, target) else ""
     aside = f"lambda: way_round(self, line, [{every(s, target)}]{side}{room})"
     slower = c.speed if p.speed is not None or _small(c, target) else scope.number(CAUTION * c.value)

@@ -38,6 +38,10 @@ def stated(course: Course, phase: Phase) -> str:
     assert t is not None
     other = course.actor.ref(t.of)
     value = middle(t.value) if t.value is not None else None
+    if value is None and t.kind in ("distance", "ttc"):  # near: as soon as it has to
+        near = phase.model_copy(update={"trigger": None, "target": phase.target or t.of})
+        if found := implicit(course, near, first=False):
+            return found
     if t.kind == "time":
         at = (value or 0) + (middle(t.delay) if t.delay is not None else 0)
         return f"until simulation().currentTime * simulation().timestep >= {scope.number(at or 3)}"

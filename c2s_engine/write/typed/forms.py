@@ -15,12 +15,6 @@ from c2s_engine.write.typed.usual import LONGEST_VIEW, UNDISTURBED, default_gap,
 
 BEYOND = 15
 """m from whom ego runs into to what stands further on."""
-OPEN_ROADS = {"road", "straight", "motorway"}
-CALM = {"keep_lane", "move_along", "follow", "go_straight"}
-CLOSING = 2.0
-"""m/s by which one is slower whom ego plainly catches up with."""
-ALONE = 10.0
-"""s that ego drives at its own speed before it slows for who is slower."""
 ABRUPT = 6.0
 """m/s2 at which one brakes who is then run into."""
 PASSES_IN = 3.0
@@ -61,7 +55,7 @@ def normal(structure: Structure) -> Structure:
     if place is not structure.place.spec:
         structure = structure.with_spec("R", place)
     structure = _stopped_when_struck(_struck_first(passing(standing(structure), place), ego), ego)
-    return facing(_caught_late(structure, ego), place)
+    return facing(structure, place)
 
 
 def _struck_first(structure: Structure, ego: EgoSpec) -> Structure:
@@ -78,28 +72,6 @@ def _struck_first(structure: Structure, ego: EgoSpec) -> Structure:
         if is_static(c.spec):
             structure = structure.with_spec(c.id, _placed(c.spec, gap=round(beyond)))
     return structure
-
-
-def _caught_late(structure: Structure, ego: EgoSpec) -> Structure:
-    """The only other one that moves, slower than ego and ahead of it, so far off that ego drives at its own speed for
-    longer than it then stays behind."""
-    movers = [c for c in structure.objects if isinstance(c.spec, ObjectSpec) and not is_static(c.spec)]
-    place = structure.place.spec
-    assert isinstance(place, PlaceSpec)
-    if len(movers) != 1 or ego.reaction not in ("brake", "follow") or place.kind not in OPEN_ROADS:
-        return structure
-    slow = movers[0].spec
-    assert isinstance(slow, ObjectSpec)
-    calm = all(p.action in CALM and p.trigger is None and p.speed is None for p in (*slow.phases, *ego.phases))
-    if not calm or not _open_ahead(slow) or slow.placement.facing is not None or slow.count > 1:
-        return structure
-    own, other = middle(speed_of(ego, place)), middle(speed_of(slow, place))
-    closing = own - other
-    if closing < CLOSING:
-        return structure
-    room = 4 + 1.5 * other + 2.5 * closing if ego.reaction == "follow" else closing**2 / 4 + 4
-    gap = round(min(ALONE * closing + room, LONGEST_VIEW))
-    return structure.with_spec(movers[0].id, _placed(slow, gap=gap))
 
 
 def _stopped_when_struck(structure: Structure, ego: EgoSpec) -> Structure:

@@ -11,12 +11,10 @@ from c2s_engine.write.typed.passing import passing
 from c2s_engine.write.typed.pockets import own_ways
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LENGTH, OBSTRUCTING, TURN, is_static, is_vehicle
 from c2s_engine.write.typed.threats import IN_WAY, is_hit, passed_over
-from c2s_engine.write.typed.usual import LONGEST_VIEW, UNDISTURBED, default_gap, speed_of
+from c2s_engine.write.typed.usual import default_gap, speed_of
 
 BEYOND = 15
 """m from whom ego runs into to what stands further on."""
-ABRUPT = 6.0
-"""m/s2 at which one brakes who is then run into."""
 PASSES_IN = 3.0
 """s that somebody who comes along the road is away from where ego comes onto it."""
 AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
@@ -54,7 +52,7 @@ def normal(structure: Structure) -> Structure:
             structure = structure.with_spec(component.id, found)
     if place is not structure.place.spec:
         structure = structure.with_spec("R", place)
-    structure = _stopped_when_struck(_struck_first(passing(standing(structure), place), ego), ego)
+    structure = _struck_first(passing(standing(structure), place), ego)
     return facing(structure, place)
 
 
@@ -71,36 +69,6 @@ def _struck_first(structure: Structure, ego: EgoSpec) -> Structure:
         assert isinstance(c.spec, ObjectSpec)
         if is_static(c.spec):
             structure = structure.with_spec(c.id, _placed(c.spec, gap=round(beyond)))
-    return structure
-
-
-def _stopped_when_struck(structure: Structure, ego: EgoSpec) -> Structure:
-    """Who stops in ego's lane before ego runs into it: hard, and so far ahead that it stands by then."""
-    place, lead = structure.place.spec, None
-    assert isinstance(place, PlaceSpec)
-    for component in structure.objects:
-        spec = component.spec
-        assert isinstance(spec, ObjectSpec)
-        lead = component if _open_ahead(spec) and not is_static(spec) else lead
-        behind_lead = lead is not None and spec.placement.position == "behind" and spec.placement.of == lead.id
-        if lead is None or component is not lead and not behind_lead or not is_hit(ego, component.id):
-            continue
-        if [p.action for p in spec.phases] != ["stop"] or spec.phases[0].trigger is not None:
-            continue
-        stop = spec.phases[0].model_copy(update={"rate": spec.phases[0].rate or ABRUPT})
-        own, rate = middle(speed_of(spec, place)), middle(stop.rate or ABRUPT)
-        standing_after = UNDISTURBED + own / rate + 0.8
-        gap = middle(speed_of(ego, place)) * standing_after - own * UNDISTURBED - own**2 / (2 * rate)
-        structure = structure.with_component(
-            component.model_copy(update={"spec": spec.model_copy(update={"phases": (stop,)})})
-        )
-        first = structure[lead.id]
-        assert isinstance(first.spec, ObjectSpec)
-        if component is not lead:
-            gap += LENGTH[spec.type] + default_gap(spec, own, place)
-        if gap > default_gap(first.spec, middle(speed_of(ego, place)), place):
-            placed = _placed(first.spec, gap=round(min(gap, LONGEST_VIEW)))
-            structure = structure.with_spec(first.id, placed)
     return structure
 
 

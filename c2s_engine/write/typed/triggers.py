@@ -38,7 +38,7 @@ def stated(course: Course, phase: Phase) -> str:
     assert t is not None
     other = course.actor.ref(t.of)
     value = middle(t.value) if t.value is not None else None
-    if value is None and t.kind in ("distance", "ttc"):  # near: as soon as it has to
+    if value is None and t.kind == "distance":  # near: as soon as it has to
         near = phase.model_copy(update={"trigger": None, "target": phase.target or t.of})
         if found := implicit(course, near, first=False):
             return found

@@ -83,7 +83,9 @@ def _of_object(structure: Structure, plan: Plan, cid: str, o: ObjectSpec) -> lis
     if o.placement.position in APPROACH_ANGLE and last.action in TURN:
         return [f"{one}._intersection is not None"]
     if last.action in STANDS:
-        return [f"{one}.speed < 0.3"]
+        reacts = getattr(structure.ego.spec, "reaction", "") in ("brake", "follow")
+        behind = reacts and plan.lane_of.get(cid) == 0 and o.placement.position == "ahead"
+        return [f"{one}.speed < 0.3", *(["ego.speed < 0.3"] if behind else [])]
     if last.abandoned:
         return Unknown
     if last.action in SEEN or last.action in ("lane_change", "cut_out") and plan.lane_of.get(cid) == 0:

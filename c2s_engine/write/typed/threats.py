@@ -89,7 +89,7 @@ def passed_over(structure: Structure, cid: str, by: str | None = None) -> bool:
     drives on over it."""
     spec = structure[cid].spec
     hider = spec.placement.hidden_by if isinstance(spec, ObjectSpec) and spec.type == "debris" else None
-    over = structure[hider].spec if hider in structure and by in (None, hider) else None  # type: ignore[index]
+    over = structure[hider].spec if hider and hider in structure and by in (None, hider) else None
     leaves = {"cut_out", "lane_change", "swerve", "stop", "brake", "leave_road", "collide"}
     moves = isinstance(over, ObjectSpec) and not is_static(over) and over.placement.position == "ahead"
     return moves and not leaves & {p.action for p in over.phases}  # type: ignore[union-attr]

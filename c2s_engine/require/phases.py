@@ -62,9 +62,10 @@ def required(scene: Scene) -> Iterator[Requirement]:
 
 
 def _leaves_later(scene: Scene, actor: str, i: int) -> bool:
-    """Whether somebody who keeps its lane at first leaves it in a later phase."""
-    return any(p.action in (*SIDED, *AT_JUNCTION, "lane_change", "overtake", "u_turn", "collide", "lose_control",
-                            "oncoming") for p in scene.actors[actor].phases[i + 1 :])  # fmt: skip
+    """Whether somebody who keeps its lane at first leaves it in a later phase, or so as to get out of the way."""
+    evades = actor == EGO and scene.ego.reaction == "evade"
+    leaves = (*SIDED, *AT_JUNCTION, "lane_change", "overtake", "u_turn", "collide", "lose_control", "oncoming")
+    return evades or any(p.action in leaves for p in scene.actors[actor].phases[i + 1 :])
 
 
 def _broken_off(scene: Scene, actor: str, i: int) -> bool:

@@ -651,6 +651,39 @@ def test_whom_ego_follows_and_overtakes_of_its_own_accord_need_not_threaten_it()
     assert "O1.threat" in {r.id for r in require(follows)}
 
 
+def waits_for_overtaking(target: str | None) -> Structure:
+    """S whose second object waits for the first to overtake ego, or another."""
+    pulls_out = Phase(action="enter_road", trigger=Trigger(kind="action", of="O1", action="overtake"))
+    second = ObjectSpec(placement=Placement(position="roadside"), phases=(pulls_out,))
+    return s(ObjectSpec(phases=(Phase(action="overtake", target=target),)), second, ObjectSpec())
+
+
+@pytest.mark.parametrize(("target", "check"), [("O2", "alongside"), ("O3", "awaited")])
+def test_who_waits_for_an_overtaking_is_beside_it_only_where_it_is_overtaken(target, check) -> None:
+    found = {r.id: r.check for r in require(waits_for_overtaking(target))}
+    assert found["O2.phases.0.awaits"] == check
+
+
+@pytest.mark.parametrize(("target", "threatens"), [("ego", True), ("O2", False)])
+def test_what_another_does_about_others_is_no_threat_to_ego(target, threatens) -> None:
+    comes = ObjectSpec(phases=(Phase(action="enter_road", target=target),), placement=Placement(position="roadside"))
+    structure = s(comes, ObjectSpec(), ego=EgoSpec(reaction="brake", react_to="O1"))
+    assert ("O1.threat" in {r.id for r in require(structure)}) is threatens
+
+
+@pytest.mark.parametrize(("side", "kept"), [("right", True), ("left", False)])
+def test_who_comes_from_the_far_side_crosses_it(side, kept) -> None:
+    at = Placement(position="roadside", side=side)
+    structure = s(ObjectSpec(phases=(Phase(action="enter_road"),), placement=at))
+    assert ("O1.own_side" in {r.id for r in require(structure)}) is kept
+
+
+@pytest.mark.parametrize(("reaction", "kept"), [("brake", True), ("evade", False)])
+def test_who_gets_out_of_the_way_keeps_no_lane(reaction, kept) -> None:
+    structure = s(ObjectSpec(), ego=EgoSpec(reaction=reaction, phases=(Phase(action="keep_lane"),)))
+    assert ("E.phases.0.keep_lane" in {r.id for r in require(structure)}) is kept
+
+
 def test_without_the_other_run_a_conflict_cannot_be_judged() -> None:
     run = Scene([ego(), LEAD]).run()
     found = {r.requirement: r for r in evaluate(require(STOPS), run.facts, run.trajectories)}

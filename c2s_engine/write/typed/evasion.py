@@ -73,7 +73,8 @@ def swerves_by(c: Course) -> float:
 def goes_round(c: Course, p: Phase) -> list[Step]:
     """Out as far as the target takes, past it, past those who are met there, and back."""
     s, target = c.actor.structure, str(p.target)
-    side = {"left": ", 1", "right": ", -1", None: ""}[p.side]
+    free = [step for step in (1, -1) if (c.lane or 0) + step in c.actor.plan.offsets]
+    side = {"left": ", 1", "right": ", -1", None: f", {free[0]}" if len(free) == 1 else ""}[p.side]
     wide = middle(p.clearance) if p.clearance is not None else PASSING if beside_way(s, target) else None
     room = f", room={scope.number(wide)}" if wide is not None else ""
     aside = f"lambda: way_round(self, line, [{every(s, target)}]{side}{room})"

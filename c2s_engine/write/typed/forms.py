@@ -8,7 +8,7 @@ from c2s_engine.write.typed.hiding import standing
 from c2s_engine.write.typed.passing import passing
 from c2s_engine.write.typed.pockets import own_ways
 from c2s_engine.write.typed.tables import OBSTRUCTING, TURN, is_static, is_vehicle
-from c2s_engine.write.typed.threats import IN_WAY
+from c2s_engine.write.typed.threats import IN_WAY, passed_over
 from c2s_engine.write.typed.waiting import together
 
 AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
@@ -51,6 +51,8 @@ def _in_the_way(cid: str, structure: Structure) -> bool:
     """Whether somebody hits what lies there, or ego has to do something about it."""
     spec, ego = structure[cid].spec, structure.ego.spec
     assert isinstance(spec, ObjectSpec) and isinstance(ego, EgoSpec)
+    if passed_over(structure, cid):
+        return False
     others = [p for c in structure.objects if isinstance(c.spec, ObjectSpec) for p in c.spec.phases]
     if any(p.target == cid and p.action in AVOIDS for p in (*ego.phases, *others)):
         return True

@@ -20,6 +20,7 @@ from c2s_engine.write.typed.threats import (
     is_hit,
     is_stopped,
     once_seen,
+    passed_over,
     threatening,
 )
 from c2s_engine.write.typed.threats import on_foot as threats_on_foot
@@ -228,6 +229,8 @@ def joins_ego(actor: Actor) -> bool:
 
 def _gets_past(actor: Actor, cid: str) -> bool:
     """Whether it means to get past what stands ahead of it."""
+    if cid != "ego" and passed_over(actor.structure, cid, actor.cid):
+        return True
     if any(p.action == "overtake" and (p.target or "ego") == cid for p in actor.spec.phases):
         return True
     if cid == "ego" or not {"cut_out", "lane_change", "swerve", "overtake"} & {p.action for p in actor.spec.phases}:

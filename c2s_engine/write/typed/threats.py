@@ -6,7 +6,7 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed import lateral, scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.stations import at_door
-from c2s_engine.write.typed.tables import FLAT, HALF_LANE, is_static, is_walker
+from c2s_engine.write.typed.tables import FLAT, is_static, is_walker
 from c2s_engine.write.typed.usual import crosses
 
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
@@ -76,15 +76,25 @@ def every_passed(structure: Structure, cid: str) -> str:
 
 
 def shown(structure: Structure, cid: str) -> str:
-    """The condition under which ego sees an object that a vehicle ahead hides: that has left the lane; "": always."""
+    """The condition under which ego sees an object that a vehicle ahead hides; "": always."""
     spec = structure[cid].spec if cid in structure else None
     if not isinstance(spec, ObjectSpec) or spec.placement.position != "ahead" or spec.placement.hidden_by is None:
         return ""
     before = structure[spec.placement.hidden_by].spec if spec.placement.hidden_by in structure else None
     if not isinstance(before, ObjectSpec) or is_static(before) or before.placement.position != "ahead":
         return ""
-    hiding = scope.reference(structure, spec.placement.hidden_by)
-    return f"place.lane.centerline.distanceTo({hiding}.position) > {HALF_LANE}"
+    return f"in_view(self, [{every(structure, cid)}], [{every(structure, spec.placement.hidden_by)}])"
+
+
+def passed_over(structure: Structure, cid: str, by: str | None = None) -> bool:
+    """Whether a thing lies in the lane that a vehicle ahead, which stays in it, hides from ego: that one (`by`, or any)
+    drives on over it."""
+    spec = structure[cid].spec
+    hider = spec.placement.hidden_by if isinstance(spec, ObjectSpec) and spec.type == "debris" else None
+    over = structure[hider].spec if hider and hider in structure and by in (None, hider) else None
+    leaves = {"cut_out", "lane_change", "swerve", "stop", "brake", "leave_road", "collide"}
+    moves = isinstance(over, ObjectSpec) and not is_static(over) and over.placement.position == "ahead"
+    return moves and not leaves & {p.action for p in over.phases}  # type: ignore[union-attr]
 
 
 def in_sight(structure: Structure, cid: str) -> str:

@@ -49,6 +49,10 @@ def stated(course: Course, phase: Phase) -> str:
         return f"until {condition}"
     other = course.actor.ref(t.of)
     value = middle(t.value) if t.value is not None else None
+    if value is None and t.kind == "distance":  # near: as soon as it has to
+        near = phase.model_copy(update={"trigger": None, "target": phase.target or t.of})
+        if found := implicit(course, near, first=False):
+            return found
     if t.kind == "time":
         at = (value or 0) + (middle(t.delay) if t.delay is not None else 0)
         return f"until clock() >= {scope.number(at or 3)}"

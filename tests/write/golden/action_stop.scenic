@@ -43,5 +43,6 @@ lead = new Car at place.lane.centerline.pointAlongBy(LEAD_AT),
 ## T
 require monitor OnceSeen([
     lambda: lead.speed < 0.3,
+    lambda: ego.speed < 0.3,
 ])
 terminate after 20 seconds

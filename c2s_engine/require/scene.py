@@ -55,7 +55,10 @@ class Scene:
 
     def says(self, actor: str, field: str) -> bool:
         """Whether S says a field of a component: of imported ones only what was recognised, never what is a default."""
-        return self.recognised(actor) or field.split(".")[0] in self.actors[actor].model_fields_set
+        if self.recognised(actor):
+            return True
+        name, spec = field.split(".")[0], self.actors[actor]
+        return getattr(spec, name) != type(spec).model_fields[name].get_default(call_default_factory=True)
 
     def stated(self, component: str, field: str) -> bool:
         """Whether the text says it: S may have assumed it."""

@@ -105,7 +105,8 @@ def inlined(program: str) -> str:
 def _parts() -> tuple[str, ...]:
     """The library's top-level statements but its docstring, each with its lines."""
     lines = text().splitlines(keepends=True)
-    starts, depth, fresh = [], 0, True
+    starts: list[int] = []
+    depth, fresh = 0, True
     for token in _tokens(starts):
         if token.type in (tokenize.INDENT, tokenize.DEDENT):
             depth += 1 if token.type == tokenize.INDENT else -1

@@ -44,19 +44,20 @@ def running(
         os.close(end)
 
 
-def first_paint(starts: int) -> tuple[float, float]:
-    """Median times from the start of the process, s: to the first frame on the terminal, and until what was typed
-    upon that frame is shown. The first start is warm-up.
+def first_paint(starts: int) -> tuple[float, float, float]:
+    """Median times from the start of the process, s: to the first frame on the terminal, the processor time of that,
+    and until what was typed upon that frame is shown. The first start is warm-up.
     """
-    painted, typed = [], []
+    painted, used, typed = [], [], []
     with tempfile.TemporaryDirectory() as folder:
         for _ in range(starts + 1):
-            with running(folder) as (_pid, end, started):
+            with running(folder) as (pid, end, started):
                 painted.append(_until(end, b"c2s", started))
+                used.append(_processor_time(pid))
                 time.sleep(0.05)  # the terminal stops echoing right after the frame
                 os.write(end, TYPED)
                 typed.append(_until(end, TYPED, started))
-    return statistics.median(painted[1:]), statistics.median(typed[1:])
+    return statistics.median(painted[1:]), statistics.median(used[1:]), statistics.median(typed[1:])
 
 
 def idle_cpu(seconds: float) -> float:

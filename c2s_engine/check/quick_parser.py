@@ -17,7 +17,7 @@ def install() -> None:
     from pegen.tokenizer import Tokenizer
     from scenic.syntax import parser
 
-    Tokenizer.get_lines = _lines  # type: ignore[method-assign]
+    Tokenizer.get_lines = _lines  # type: ignore[assignment, method-assign]
     for kind in parser.ScenicParser.__mro__:
         for name, rule in list(vars(kind).items()):
             found = _PARTS.fullmatch(getattr(rule, "__name__", ""))

@@ -57,7 +57,10 @@ class Scene:
 
     def says(self, actor: str, field: str) -> bool:
         """Whether S says a field of a component: of imported ones only what was recognised, never what is a default."""
-        return self.recognised(actor) or field.split(".")[0] in self.actors[actor].model_fields_set
+        if self.recognised(actor):
+            return True
+        name, spec = field.split(".")[0], self.actors[actor]
+        return getattr(spec, name) != type(spec).model_fields[name].get_default(call_default_factory=True)
 
     def stated(self, component: str, field: str) -> bool:
         """Whether the text says it: S may have assumed it."""
@@ -90,9 +93,9 @@ class Scene:
              component: str | None = None, **values: Value) -> Requirement:  # fmt: skip
         """A requirement with its id and its clause."""
         cid = component or ("E" if actor == "ego" else actor)
-        links = [link for link in self.structure[cid].links if link.span and link.kind == "text"]
-        exact = [link.span for link in links if link.field and f"{path}.".startswith(f"{link.field}.")]
-        spans = exact or [link.span for link in links]
+        links = [(link.field, link.span) for link in self.structure[cid].links if link.span and link.kind == "text"]
+        exact = [span for field, span in links if field and f"{path}.".startswith(f"{field}.")]
+        spans = exact or [span for _, span in links]
         clause = (min(s[0] for s in spans), max(s[1] for s in spans)) if len(spans) == 1 else next(iter(spans), None)
         return Requirement(
             id=f"{cid}.{path}", kind=kind, component=cid, text=text, clause=clause, check=check, actor=actor,

@@ -3,6 +3,7 @@
 from collections.abc import Awaitable, Callable
 from typing import Any
 
+from c2s_engine.retrieve.terms import told_of
 from c2s_engine.structure.components import Component, Structure
 
 
@@ -11,7 +12,8 @@ async def component_snippets(
     decompose: Callable[[str], Awaitable[Structure]],
     describe: Callable[[str, str], Awaitable[str]] | None = None,
 ) -> list[dict[str, Any]]:
-    """The components R, E, O and T of a program with code, described: {"component", "description", "code"}."""
+    """The components R, E, O and T of a program with code, described: {"component", "description", "code"}, and
+    what each is about in the vocabulary's words, by which it is chosen for a component of S (retrieve.terms)."""
     structure = await decompose(program)
     found = []
     for component in structure.components:
@@ -19,7 +21,9 @@ async def component_snippets(
             continue
         sentence = await describe(component.kind, component.code) if describe else ""
         sentence = sentence.strip() or component.description.strip() or words_of(component)
-        found.append({"component": component.kind, "description": sentence, "code": component.code.strip("\n") + "\n"})
+        code = component.code.strip("\n") + "\n"
+        terms = told_of(structure, component.id)
+        found.append({"component": component.kind, "description": sentence, "code": code, **terms})
     return found
 
 

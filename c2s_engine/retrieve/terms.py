@@ -1,6 +1,6 @@
 """What a component is about, in the vocabulary's words, and how far what a snippet is about agrees with it."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from typing import get_args
 
 from c2s_engine.structure import vocabulary as v
@@ -34,6 +34,40 @@ def terms_of(structure: Structure, cid: ComponentId) -> tuple[str, ...]:
         actions = [p.action for p in spec.phases] or _unsaid(spec)
         return tuple(dict.fromkeys((spec.type, spec.placement.position, *actions)))
     return _of_ego(spec, structure.place.spec) if isinstance(spec, EgoSpec) else ()
+
+
+def told_of(structure: Structure, cid: ComponentId) -> dict[str, tuple[str, ...]]:
+    """Those of them that the spec of an imported component was read to say, as a snippet's head has them by field."""
+    spec = structure[cid].spec
+    said = {*_strings(spec.model_dump(exclude_defaults=True, exclude={"component"})), getattr(spec, "type", "")}
+    said |= {*_MANOEUVRES.values()} if cid == "E" else set()
+    found: dict[str, list[str]] = {}
+    for term in terms_of(structure, cid):
+        detail, _, word = term.rpartition("=")
+        if word in said:
+            found.setdefault(f"{detail}s" if detail else _section(word, cid[0]), []).append(word)
+    return {section: tuple(words) for section, words in found.items()}
+
+
+def _section(word: str, kind: str) -> str:
+    """The field of a snippet's head that a word stands in."""
+    if kind == "R":
+        return "places"
+    if kind == "T":
+        return "conditions"
+    if word in TYPES:
+        return "types"
+    if kind == "E" and word in get_args(v.Reaction):
+        return "reactions"
+    return "positions" if word in POSITIONS else "actions"
+
+
+def _strings(value: object) -> Iterator[str]:
+    if isinstance(value, dict | list | tuple):
+        for inner in value.values() if isinstance(value, dict) else value:
+            yield from _strings(inner)
+    elif isinstance(value, str):
+        yield value
 
 
 def _unsaid(spec: ObjectSpec) -> list[str]:

@@ -3,6 +3,7 @@
 from collections.abc import AsyncGenerator, Sequence
 from typing import Any
 
+from c2s_engine.session.facade import Checking
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.happening import ended
 from c2s_engine.structure.measures import SeedResult, collisions
@@ -25,9 +26,9 @@ def numbers(text: str, first: int = 0) -> list[int]:
 
 
 async def seeds(
-    engine: Any, structure: Structure, program: Program, chosen: Sequence[int], **options: Any
+    engine: Checking, structure: Structure, program: Program, chosen: Sequence[int], **options: Any
 ) -> AsyncGenerator[SeedResult, None]:
-    """A row for each seed. `engine` is the facade; `options` are those of its `check`."""
+    """A row for each seed. `options` are those of its `check`."""
     for seed in chosen:
         report = await engine.check(
             program.text, spans=program.spans, upto="run", seed=seed, trajectories=True, **options

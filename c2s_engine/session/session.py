@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from c2s_engine.session.errors import SessionError
+from c2s_engine.session.facade import Turns
 from c2s_engine.session.files import write_whole
 from c2s_engine.session.journal import Drafts, Journal, Pending
 from c2s_engine.session.state import State, summary
@@ -50,7 +51,7 @@ class Turn:
 class Session:
     """Made by `Sessions.open`. One turn at a time; a cancelled turn leaves everything as it was."""
 
-    def __init__(self, store: Store, row: Row, folder: Path, engine: Any):
+    def __init__(self, store: Store, row: Row, folder: Path, engine: Turns):
         self._store, self._thread, self._folder, self._engine = store, row.thread, folder, engine
         self.name = row.name
         self._lock = _locked(folder, row.name)

@@ -3,10 +3,10 @@
 import shutil
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from c2s_engine.paths import data_folder
 from c2s_engine.session.errors import SessionError
+from c2s_engine.session.facade import Turns
 from c2s_engine.session.files import write_whole
 from c2s_engine.session.session import ROOT, Session, Turn
 from c2s_engine.session.store import Store
@@ -45,7 +45,7 @@ class Sessions:
             found.append(SessionInfo(row.name, len(path), row.created, row.updated, path[0].text if path else ""))
         return found
 
-    def open(self, name: str, engine: Any, create: bool = True) -> Session:
+    def open(self, name: str, engine: Turns, create: bool = True) -> Session:
         """Open a session; one that is not there is made, unless `create` is off."""
         row = self._store.row(name)
         if row is None:

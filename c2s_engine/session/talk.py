@@ -1,6 +1,4 @@
 """A turn of the chat upon S: questions are answered with sources, changes become edits, the rest is a new scenario.
-
-`engine` is the facade (`c2s_engine.api.Engine`), which a room below it cannot import.
 """
 
 from collections.abc import AsyncGenerator, Sequence
@@ -10,6 +8,7 @@ from typing import Any
 from c2s_engine.retrieve.provenance import whose
 from c2s_engine.session.asked import HELP, answered, wants_help
 from c2s_engine.session.citing import description_of, kept, tells_scenario, wanted
+from c2s_engine.session.facade import Facade
 from c2s_engine.session.glossary import meaning
 from c2s_engine.session.reader import route
 from c2s_engine.session.steps import Emit
@@ -29,7 +28,7 @@ WHOLE = ("nl2scenic", "chatscene")
 
 
 async def say(
-    engine: Any,
+    engine: Facade,
     structure: Structure | None,
     text: str,
     *,
@@ -106,7 +105,7 @@ def _kept(structure: Structure, edits: Sequence[Any]) -> Structure:
 
 
 async def _events(
-    engine: Any,
+    engine: Facade,
     structure: Structure | None,
     text: str,
     method: str,
@@ -157,7 +156,7 @@ async def _events(
 
 
 async def _routed(
-    engine: Any,
+    engine: Facade,
     text: str,
     structure: Structure | None,
     method: str,
@@ -177,7 +176,7 @@ async def _routed(
         )
 
 
-def uses_model(engine: Any, method: str) -> bool:
+def uses_model(engine: Facade, method: str) -> bool:
     """Whether a model is at work under the method."""
     if method == "embedded" or not engine.settings.model:
         return False
@@ -186,7 +185,7 @@ def uses_model(engine: Any, method: str) -> bool:
     return needs_model(method)
 
 
-async def _picked(engine: Any, number: int, passages: Sequence[Any]) -> AsyncGenerator[Any, None]:
+async def _picked(engine: Facade, number: int, passages: Sequence[Any]) -> AsyncGenerator[Any, None]:
     """A passage of the last answer becomes the description."""
     from c2s_engine.retrieve.errors import RetrievalError
 
@@ -228,7 +227,7 @@ def outcome(finished: Finished) -> str:
 
 
 async def answer(
-    engine: Any, question: str, structure: Structure | None = None, method: str = "embedded",
+    engine: Facade, question: str, structure: Structure | None = None, method: str = "embedded",
     shown: Finished | None = None,
 ) -> AsyncGenerator[Progress, None]:
     """What the run showed, why something is there; else passages, summed up where there is a model."""
@@ -271,7 +270,7 @@ async def answer(
     yield Say(text=f"From: {sources}.{hint}")
 
 
-async def _in_words(engine: Any, question: str, found: Sequence[Passage], emit: Emit) -> str:
+async def _in_words(engine: Facade, question: str, found: Sequence[Passage], emit: Emit) -> str:
     """The model's answer from the passages; empty (and said why) where it has none that can be used."""
     from c2s_engine.interpret.llm.answer import answer as answer_with_model
     from c2s_engine.models.errors import ModelError

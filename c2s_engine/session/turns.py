@@ -6,25 +6,18 @@ engine's own (say, apply); their events are streamed on as they come.
 
 from collections.abc import AsyncIterator
 from contextlib import aclosing
-from typing import Any, Protocol, TypedDict
+from typing import Any, TypedDict
 
 from langgraph.checkpoint.base import BaseCheckpointSaver
 from langgraph.config import get_stream_writer
 from langgraph.graph import END, START, StateGraph
 from langgraph.graph.state import CompiledStateGraph
 
+from c2s_engine.session.facade import Turns
 from c2s_engine.session.journal import Pending
 from c2s_engine.session.state import State, cleared
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.progress import Finished
-
-
-class Engine(Protocol):
-    """What a session asks of the facade."""
-
-    def say(self, structure: Structure, text: str, **options: Any) -> AsyncIterator[Any]: ...
-
-    def apply(self, structure: Structure, edits: Any, **options: Any) -> AsyncIterator[Any]: ...
 
 
 class TurnState(TypedDict, total=False):
@@ -35,7 +28,7 @@ class TurnState(TypedDict, total=False):
     state: dict[str, Any]
 
 
-def build_turns(engine: Engine, checkpointer: BaseCheckpointSaver) -> CompiledStateGraph:
+def build_turns(engine: Turns, checkpointer: BaseCheckpointSaver) -> CompiledStateGraph:
     """The graph that takes a request upon a state to the next state."""
 
     async def turn(values: TurnState) -> TurnState:
@@ -58,7 +51,7 @@ def build_turns(engine: Engine, checkpointer: BaseCheckpointSaver) -> CompiledSt
 
 
 def _events(
-    engine: Engine, before: State, request: Pending, last: tuple[str, dict[str, Any]] | None
+    engine: Turns, before: State, request: Pending, last: tuple[str, dict[str, Any]] | None
 ) -> AsyncIterator[Any]:
     structure = before.structure
     if request.kind == "say":

@@ -712,6 +712,8 @@ def test_of_imported_components_only_what_was_recognised_is_required() -> None:
     ids = {r.id for r in require(plain)}
     assert "O1.there" in ids and "O1.phases.0.brake" in ids
     assert not ids & {"O1.placement.position", "O1.type", "O1.dynamics", "O1.steady", "R.nobody_else"}
+    kept = Structure.model_validate(plain.model_dump(mode="json"))  # as sessions and the check server hand it on
+    assert {r.id for r in require(kept)} == ids
 
 
 def test_most_runs_decide_and_failures_are_told_in_a_line() -> None:

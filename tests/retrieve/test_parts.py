@@ -285,3 +285,31 @@ def test_the_client_imports_neither_torch_nor_lancedb():
     code += "sys.exit(str(bad) if bad else 0)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
+
+
+async def test_a_users_snippets_are_told_by_what_their_code_was_read_to_say() -> None:
+    from c2s_engine.retrieve.programs import component_snippets
+    from c2s_engine.retrieve.snippet_files import Snippet
+    from c2s_engine.structure.components import Component, Structure
+    from c2s_engine.structure.specs import Condition, EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec, RestrictionsSpec
+
+    lead = ObjectSpec(name="lead", type="truck", phases=(Phase(action="brake"),), placement=Placement(position="ahead"))
+    waits = (Phase(action="wait"),)
+    van = ObjectSpec(name="van", type="van", placement=Placement(position="crossing_left"), phases=waits)
+    unknown = ObjectSpec(name="thing", type="car")
+    ends = RestrictionsSpec(terminate_when=(Condition(kind="stopped"),))
+    program = Structure(
+        place=Component(id="R", code="a = 1", spec=PlaceSpec(kind="intersection", manoeuvre="left")),
+        ego=Component(id="E", code="b = 1", spec=EgoSpec(reaction="brake")),
+        objects=tuple(Component(id=f"O{n}", code="c = 1", spec=o) for n, o in enumerate((lead, van, unknown), 1)),
+        restrictions=Component(id="T", code="d = 1", spec=ends),
+    )  # fmt: skip
+
+    async def decompose(_: str) -> Structure:
+        return Structure.model_validate(program.model_dump(mode="json"))
+
+    found = [Snippet(id=str(n), **s) for n, s in enumerate(await component_snippets("", decompose))]
+    assert [set(s.terms) for s in found] == [
+        {"intersection", "manoeuvre=left"}, {"car", "turn_left", "brake"}, {"truck", "brake"},
+        {"van", "crossing_left", "wait"}, {"car"}, {"stopped"},
+    ]  # fmt: skip

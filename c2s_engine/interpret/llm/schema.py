@@ -9,6 +9,8 @@ from functools import cache
 from typing import Any, get_args
 
 import yaml
+from jsonschema import Draft202012Validator
+from jsonschema.exceptions import ValidationError
 from pydantic import BaseModel
 
 from c2s_engine import paths
@@ -109,30 +111,42 @@ def _array(node: dict[str, Any], defs: dict, name: str, ids: tuple[str, ...], al
     return {"type": "array", "items": _node(node["items"], defs, name, ids, allowed), "maxItems": longest}
 
 
-def accepts(schema: dict[str, Any], value: Any, at: str = "") -> str:
+def accepts(schema: dict[str, Any], value: Any) -> str:
     """What is wrong with a value by such a schema, in a phrase; empty where nothing is."""
-    where = at or "the answer"
-    if "anyOf" in schema:
-        tried = [accepts(choice, value, at) for choice in schema["anyOf"]]
-        if "" in tried:
-            return ""
-        meant = (n for n, choice in enumerate(schema["anyOf"]) if _meant(choice, value))
-        return tried[next(meant, -1 if isinstance(value, list) else 0)]
-    if "enum" in schema and value not in schema["enum"]:
+    errors = sorted(Draft202012Validator(schema).iter_errors(value), key=_rank)
+    return _fault(errors[0]) if errors else ""
+
+
+def _rank(error: ValidationError) -> tuple[int, int]:
+    """What is told first: of the outermost object, fields that there are not, then those that lack."""
+    order = ("additionalProperties", "required")
+    return len(error.absolute_path), order.index(error.validator) if error.validator in order else len(order)
+
+
+def _fault(error: ValidationError) -> str:
+    """The first error in words that a model can follow."""
+    where = error.json_path.removeprefix("$").lstrip(".") or "the answer"
+    schema, value = error.schema, error.instance
+    assert isinstance(schema, dict)
+    if error.validator == "anyOf":
+        meant = [n for n, choice in enumerate(schema["anyOf"]) if _meant(choice, value)]
+        branch = meant[0] if meant else len(schema["anyOf"]) - 1 if isinstance(value, list) else 0
+        of_branch = [e for e in error.context or () if e.schema_path[0] == branch]
+        return _fault(min(of_branch or list(error.context or ()), key=_rank))
+    if error.validator == "enum":
         return f"{where} must be one of {', '.join(map(str, schema['enum']))}, not {value!r}"
-    kind = schema.get("type")
-    if kind and not _is(kind, value):
-        return f"{where} must be {_A[kind]}"
-    if kind in ("number", "integer") and not schema["minimum"] <= value <= schema["maximum"]:
+    if error.validator == "type":
+        return f"{where} must be {_A[schema['type']]}"
+    if error.validator in ("minimum", "maximum"):
         return f"{where} must lie between {schema['minimum']} and {schema['maximum']} (SI units), not {value}"
-    if kind == "object":
-        return _object_fault(schema, value, at)
-    if kind == "array":
-        if not schema.get("minItems", 0) <= len(value) <= schema.get("maxItems", len(value)):
-            return f"{where} must have {schema.get('minItems', 0)} to {schema.get('maxItems')} items"
-        wrong = (accepts(schema["items"], item, f"{at}[{i}]") for i, item in enumerate(value))
-        return next((w for w in wrong if w), "")
-    return ""
+    if error.validator in ("minItems", "maxItems"):
+        return f"{where} must have {schema.get('minItems', 0)} to {schema.get('maxItems')} items"
+    if error.validator == "additionalProperties":
+        extra = sorted(set(value) - set(schema["properties"]))
+        return f"{where} has no field {extra[0]}; there are {', '.join(schema['properties'])}"
+    if error.validator == "required":
+        return f"{where} lacks {next(n for n in schema['required'] if n not in value)}"
+    return f"{where}: {error.message}"
 
 
 def _meant(choice: dict[str, Any], value: Any) -> bool:
@@ -141,24 +155,6 @@ def _meant(choice: dict[str, Any], value: Any) -> bool:
     return bool(single) and isinstance(value, dict) and all(value.get(n) == word for n, word in single.items())
 
 
-def _object_fault(schema: dict[str, Any], value: dict[str, Any], at: str) -> str:
-    if extra := sorted(set(value) - set(schema["properties"])):
-        return f"{at or 'the answer'} has no field {extra[0]}; there are {', '.join(schema['properties'])}"
-    if missing := [n for n in schema.get("required", ()) if n not in value]:
-        return f"{at or 'the answer'} lacks {missing[0]}"
-    wrong = (accepts(schema["properties"][n], v, f"{at}.{n}".lstrip(".")) for n, v in value.items())
-    return next((w for w in wrong if w), "")
-
-
-def _is(kind: str, value: Any) -> bool:
-    if isinstance(value, bool):
-        return kind == "boolean"
-    return isinstance(value, _TYPES[kind])
-
-
-_TYPES: dict[str, Any] = {
-    "object": dict, "array": list, "string": str, "number": (int, float), "integer": int, "boolean": bool,
-}  # fmt: skip
 _A = {
     "object": "an object", "array": "a list", "string": "a string", "number": "a number", "integer": "a whole number",
     "boolean": "true or false",

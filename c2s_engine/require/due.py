@@ -10,6 +10,8 @@ import numpy as np
 from c2s_engine.require.evidence import Motion
 from c2s_engine.require.geometry import touching
 
+STANDS, SLOWS = 0.3, 1.0
+"""m/s below which one stands, m/s2 with which it brakes."""
 STEP = 0.1
 """s by which times are told apart."""
 INSIDE = 0.3
@@ -37,6 +39,8 @@ def arrival(one: Motion, other: Motion) -> float | None:
     """s by which `one` comes after `other` to where their ways meet (below 0: before it); None where they do not."""
     every = max(1, round(STEP / one.step))
     hit = _meeting(_going_on(one)[::every], _going_on(other)[::every], one, other)
+    if not len(hit[0]) and one.speed[-1] < STANDS:  # it stops before: were it not to
+        hit = _meeting(_unbraked(one)[::every], _going_on(other)[::every], one, other)
     return round(float(hit[0].min() - hit[1].min()) * every * one.step, 2) if len(hit[0]) else None
 
 
@@ -80,6 +84,17 @@ def _going_on(motion: Motion) -> np.ndarray:
     x = poses[-1, 0] - np.cumsum(np.sin(heading)) * gone
     y = poses[-1, 1] + np.cumsum(np.cos(heading)) * gone
     return np.concatenate([poses, np.column_stack([x, y, heading])])
+
+
+def _unbraked(motion: Motion) -> np.ndarray:
+    """Poses up to where it begins to brake to its last stand, and how it would go straight on at that speed."""
+    driving = np.flatnonzero((motion.acceleration > -SLOWS) & (motion.speed >= STANDS))
+    last = int(driving[-1]) if len(driving) else 0
+    steps = len(motion.time) - last + round(FURTHEST / motion.step)
+    gone = motion.speed[last] * motion.step * np.arange(1, steps + 1)
+    x, y, heading = motion.poses[last]
+    onward = np.column_stack([x - np.sin(heading) * gone, y + np.cos(heading) * gone, np.full(steps, heading)])
+    return np.concatenate([motion.poses[: last + 1], onward])
 
 
 def _touch(one: np.ndarray, other: np.ndarray, size: Point, other_size: Point) -> tuple[Point, Point]:

@@ -14,6 +14,8 @@ from c2s_engine.structure.quantity import high
 from c2s_engine.structure.requirements import Requirement, Result
 
 CHANGES_SPEED = ("accelerate", "start")
+LONGEST_GAIN = 12.0
+"""s within which a speed is reached, with breaks."""
 
 
 def required(scene: Scene) -> Iterator[Requirement]:
@@ -78,9 +80,9 @@ def _seen(requirement: Requirement, evidence: Evidence) -> Iterator[tuple[str, s
 
 def _reached(motion: Motion, time: float) -> float:
     """When somebody who gains speed at `time` no longer does."""
-    gaining = motion.acceleration > bounds()["phase"]["change_rate"]["value"] / 2
-    over = np.flatnonzero(~gaining[motion.at(time) :])
-    return float(motion.time[motion.at(time) + int(over[0])]) if len(over) else float(motion.time[-1])
+    first, last = motion.at(time), motion.at(time + LONGEST_GAIN)
+    gaining = motion.acceleration[first : last + 1] > bounds()["phase"]["change_rate"]["value"] / 2
+    return float(motion.time[first + int(np.flatnonzero(gaining)[-1])]) if gaining.any() else time
 
 
 def _leaves(motion: Motion, time: float, round_it: bool) -> float:

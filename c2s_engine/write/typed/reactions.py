@@ -33,6 +33,8 @@ CAREFUL = 1.5
 FULL = {"wet": 7.0, "rain": 7.0, "heavy_rain": 6.0, "snow": 4.0}
 """m/s2 of an emergency braking, by the weather; else `DRY`."""
 DRY = 8.0
+HOLDS = {"bicycle": 5.0, "truck": 7.0, "bus": 7.0}
+"""m/s2 at most, by what ego is: a rider goes over the bars beyond."""
 LAST_MOMENT = 0.7
 """The share of an emergency braking that it takes when that begins."""
 STILL = 3
@@ -72,7 +74,7 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     on_foot = [c for c in threats_on_foot(actor.structure) if spec.react_to in (None, c)]
     stands = is_stopped(spec) or _ends_standing(actor.structure)
     stops_for = {p.target for p in spec.phases if p.action == "stop"}
-    full = grip(actor.structure, FULL, DRY) if spec.hard and not stands else 0
+    full = min(grip(actor.structure, FULL, DRY), HOLDS.get(spec.type, DRY)) if spec.hard and not stands else 0
     stated = [middle(p.rate) for p in spec.phases if p.action in ("brake", "stop") and p.rate is not None]
     full = min(stated[0] if full and stated else full, _hardest(actor.structure))
     limit = round(LAST_MOMENT * full, 1) if full else limit

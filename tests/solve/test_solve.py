@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from c2s_engine.api import Engine
 from c2s_engine.config import Settings
 from c2s_engine.require import require
 from c2s_engine.solve import PLANNER, Outcome, solve, unknowns
@@ -214,10 +215,10 @@ async def test_a_text_is_solved_and_says_what_was_chosen(engine):
     assert [s.name for s in last.stages].count("solve") == 1
 
 
-async def test_settings_switch_the_search_off(engine):
-    engine.settings = Settings(solve=False)
-    async for event in engine.generate("A truck ahead of ego brakes hard and ego stops."):
-        last = event
+async def test_settings_switch_the_search_off():
+    async with Engine(Settings(solve=False)) as engine:
+        async for event in engine.generate("A truck ahead of ego brakes hard and ego stops."):
+            last = event
     assert "solve" not in [s.name for s in last.stages]
 
 

@@ -41,7 +41,4 @@ lead = new Car at place.lane.centerline.pointAlongBy(LEAD_AT),
     with behavior LeadBehavior()
 
 ## T
-require monitor OnceSeen([
-    lambda: lead.speed < 5.7,
-])
 terminate after 20 seconds

@@ -43,7 +43,4 @@ walker = new Pedestrian at beside(place.lane.rightEdge, place.lane, WALKER_AT, 3
     with behavior WalkerBehavior()
 
 ## T
-require monitor OnceSeen([
-    lambda: lead_on(walker, ego) < -3 or ego.speed < 0.3 and walker.speed < 0.3,
-])
 terminate after 20 seconds

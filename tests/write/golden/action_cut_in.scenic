@@ -42,7 +42,4 @@ cutter = new Car at place.left_lane.centerline.pointAlongBy(CUTTER_AT),
     with behavior CutterBehavior()
 
 ## T
-require monitor OnceSeen([
-    lambda: cutter.speed < 16.1,
-])
 terminate after 20 seconds

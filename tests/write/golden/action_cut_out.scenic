@@ -38,7 +38,4 @@ lead = new Car at place.lane.centerline.pointAlongBy(LEAD_AT),
     with behavior LeadBehavior()
 
 ## T
-require monitor OnceSeen([
-    lambda: place.lane.centerline.distanceTo(lead.position) > 1.7,
-])
 terminate after 20 seconds

@@ -38,8 +38,4 @@ crosser = new Car at place.from_right.centerline.pointAlongBy(-CROSSER_TO_JUNCTI
     with behavior Cruise(way(place.from_right), CROSSER_SPEED)
 
 ## T
-require monitor OnceSeen([
-    lambda: ego._lane is place.exit_lane,
-    lambda: crosser._intersection is not None,
-])
 terminate after 20 seconds

@@ -38,7 +38,4 @@ changer = new Car at place.lane.centerline.pointAlongBy(CHANGER_AT),
     with behavior ChangerBehavior()
 
 ## T
-require monitor OnceSeen([
-    lambda: place.lane.centerline.distanceTo(changer.position) > 1.7,
-])
 terminate after 20 seconds

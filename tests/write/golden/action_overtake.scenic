@@ -40,7 +40,4 @@ passer = new Car at place.lane.centerline.pointAlongBy(PASSER_AT),
     with behavior PasserBehavior()
 
 ## T
-require monitor OnceSeen([
-    lambda: lead_on(ego, passer) < -8 and place.lane.centerline.distanceTo(passer.position) < 0.7,
-])
 terminate after 20 seconds

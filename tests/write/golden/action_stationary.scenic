@@ -32,7 +32,4 @@ wreck = new Car at place.lane.centerline.pointAlongBy(WRECK_AT),
     with blueprint Uniform(*CARS)
 
 ## T
-require monitor OnceSeen([
-    lambda: lead_on(wreck, ego) < -5 or ego.speed < 0.3,
-])
 terminate after 20 seconds

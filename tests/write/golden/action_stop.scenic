@@ -41,8 +41,4 @@ lead = new Car at place.lane.centerline.pointAlongBy(LEAD_AT),
     with behavior LeadBehavior()
 
 ## T
-require monitor OnceSeen([
-    lambda: lead.speed < 0.3,
-    lambda: ego.speed < 0.3,
-])
 terminate after 20 seconds

@@ -39,8 +39,4 @@ turner = new Car at place.from_opposite.centerline.pointAlongBy(-TURNER_TO_JUNCT
     with behavior Cruise(way(place.from_opposite, LEFT_TURN), TURNER_SPEED)
 
 ## T
-require monitor OnceSeen([
-    lambda: ego._lane is place.exit_lane,
-    lambda: turner._intersection is not None,
-])
 terminate after 20 seconds

@@ -39,8 +39,4 @@ turner = new Car at place.from_left.centerline.pointAlongBy(-TURNER_TO_JUNCTION)
     with behavior Cruise(way(place.from_left, RIGHT_TURN), TURNER_SPEED)
 
 ## T
-require monitor OnceSeen([
-    lambda: ego._lane is place.exit_lane,
-    lambda: turner._intersection is not None,
-])
 terminate after 20 seconds

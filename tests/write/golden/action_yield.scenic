@@ -49,8 +49,4 @@ crosser = new Car at place.from_right.centerline.pointAlongBy(-CROSSER_TO_JUNCTI
     with behavior CrosserBehavior()
 
 ## T
-require monitor OnceSeen([
-    lambda: passed(crosser, ego, 0),
-    lambda: ego._lane is place.exit_lane,
-])
 terminate after 20 seconds

@@ -25,7 +25,4 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
 require monitor Lights(place.turn)
 
 ## T
-require monitor OnceSeen([
-    lambda: ego._lane is place.exit_lane,
-])
 terminate after 20 seconds

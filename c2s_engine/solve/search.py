@@ -14,6 +14,8 @@ from c2s_engine.write.typed.usual_values import Usual, usual_values
 
 MOST = 12
 """Runs that one search may cost."""
+ENDING = ("soon_over",)
+"""Checks of the run's length, which is chosen exactly."""
 SECONDS = 15.0
 """s after which none is begun: far more than they take, so that the same S gives the same choice."""
 
@@ -34,10 +36,11 @@ class Outcome:
         return sorted((p for p in pairs if not p[1].holds), key=lambda p: p[1].robustness or -1.0)
 
     @property
-    def score(self) -> tuple[int, float]:
-        """How many were not seen (negative), then by how much they fail."""
-        failing = self.failing
-        return -len(failing), sum(r.robustness if r.robustness is not None else -1.0 for _, r in failing)
+    def score(self) -> tuple[int, float, int]:
+        """How many were not seen (negative), then by how much they fail; last what the run's length alone sets right."""
+        failing = [(q, r) for q, r in self.failing if q.check not in ENDING]
+        missed = sum(r.robustness if r.robustness is not None else -1.0 for _, r in failing)
+        return -len(failing), missed, len(failing) - len(self.failing)
 
 
 Evaluate = Callable[[Structure], Awaitable[Outcome | None]]

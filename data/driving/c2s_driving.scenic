@@ -967,19 +967,6 @@ def short_of(car, points, others, speed, rate=3, room=3):
     gently = min(speed, car.speed + 2 * simulation().timestep)
     return up_to(min(ahead) - along_line(points, car.position)[0] - car.length / 2, gently, rate) if ahead else gently
 
-def lurk(car, other, speed):
-    """The speed (m/s) at which `car` stays close behind `other`, beside whose lane it is, until that comes over."""
-    place = (other.position - car.position).rotatedBy(-car.heading)
-    if abs(place.x) < 2.6:
-        return max(speed, other.speed + 6)
-    return max(0, min(1.3 * speed, other.speed + 0.5 * (place.y - car.length - 4)))
-
-def level(car, other, speed):
-    """The speed (m/s), about `speed`, at which `car` comes level with `other`, which drives the same way."""
-    ahead = lead_on(car, other)
-    if abs(ahead) < 3:
-        return other.speed
-    return max(0, other.speed - 4) if ahead > 0 else max(speed, other.speed + 4)
 
 # Places: where on a map a scenario can take place, told by what is there. Each function lists all that fit:
 #     place = Uniform(*junctions(STRAIGHT, control='signal', others=[From('left', STRAIGHT)]))
@@ -1220,6 +1207,11 @@ def _along_roads(fits, length=0, least=0, limit=None, speed=0, share=0, **lanes)
         return next((found for shoulder in (True, None)
                      for found in [_along_roads(fits, length, least, limit, speed, share, **{**lanes, 'shoulder': shoulder})]
                      if found), [])
+    beside = {None, 'leftmost'} if lanes.get('oncoming') else {None}
+    if lanes.get('lanes') is None and lanes.get('ego_lane') in beside and not share:  # an ordinary road
+        narrow = _along_roads(fits, length, least, limit, speed, 0.7, **{**lanes, 'lanes': 1})
+        if narrow:
+            return narrow
     found = [Place(lane) for road in network.roads for lane in road.lanes
              if lane_fits(lane, lane.sections[0], **lanes) and fits(lane)]
     for part, over in [(part, over) for part, over in SHARES if part >= share and not (share and over == JUNCTIONS)]:
@@ -1228,7 +1220,7 @@ def _along_roads(fits, length=0, least=0, limit=None, speed=0, share=0, **lanes)
         long = [place for place in long if place and (over is None or fits(place.lane))]
         fast = [place for place in long if speed and bends_allow(place.lane, speed, metres)]
         if fast or long and not (speed and share):
-            return _posted(_exactly(lanes.get('lanes'), fast or long), limit)
+            return _posted(_exactly(lanes.get('lanes'), fast or long), limit, speed)
     if lanes.get('lanes') == 1 and not share:  # no road that long has only one
         return _along_roads(fits, length, least, limit, speed, **{**lanes, 'lanes': None})
     return []
@@ -1258,7 +1250,9 @@ def _at_junctions(places, approach, exit, limit, lanes, others=(), roundabout=Fa
     return []
 
 def _exactly(lanes, places):
-    """The places with so many lanes in ego's direction, if there are any, else those with more."""
+    """The places with so many lanes in ego's direction, if there are any, else those with more; with the fewest where
+    none are said."""
+    lanes = lanes or min(len(place.lane.group.lanes) for place in places)
     return [place for place in places if len(place.lane.group.lanes) == lanes] or places
 
 def _longer(place, metres, over, lanes, ahead=False, exit=0):
@@ -1278,10 +1272,12 @@ def _longer(place, metres, over, lanes, ahead=False, exit=0):
     return Place(lengthened(place.lane, metres + 1, ahead, across), place.turn, place.mark, place.merging, place.beside,
                  longer=(metres + 1, ahead, across), exit=exit + 1)
 
-def _posted(places, limit):
-    """The places with that posted limit (m/s), all where there are none."""
+def _posted(places, limit, speed=0):
+    """The places with that posted limit (m/s), or where none is said with one that suits a speed; all where there are
+    none."""
+    low, high = (limit - 0.55, limit + 0.55) if limit else (0.8 * speed, 1.6 * speed)
     limits = map_facts().limits
-    return limit and [p for p in places if abs(limits.get(p.lane.road.id, 0) - limit) < 0.55] or places
+    return [p for p in places if low <= limits.get(p.lane.road.id, 0) <= high] or places
 
 # What Scenic's parser leaves out of a map.
 

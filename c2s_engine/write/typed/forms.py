@@ -41,12 +41,6 @@ def normal(structure: Structure) -> Structure:
     return facing(passing(standing(structure), place), place)
 
 
-def _open_ahead(spec: ObjectSpec) -> bool:
-    """Whether an object is ahead in ego's lane, nobody says how far."""
-    at = spec.placement
-    return at.position == "ahead" and at.of == "ego" and at.gap is None and at.hidden_by is None
-
-
 def _in_the_way(cid: str, structure: Structure) -> bool:
     """Whether somebody hits what lies there, or ego has to do something about it."""
     spec, ego = structure[cid].spec, structure.ego.spec

@@ -89,10 +89,10 @@ class Recorder:
                 self.lights.append((time, *key, state))
 
     def finish(self, actors: list[Any], names: list[str], kinds: list[str]) -> Recording:
-        """All paths at one length: who came later stands where it came in."""
+        """All paths at one length: who came later stands where it came in; who came as the run ended has none."""
         paths = []
         steps = max((len(s) + f for s, f in zip(self.samples, self.first, strict=True)), default=0)
-        for samples, first, actor, name, kind in zip(self.samples, self.first, actors, names, kinds, strict=True):
+        for samples, first, actor, name, kind in zip(self.samples, self.first, actors, names, kinds, strict=False):
             rows = np.array([(*samples[0][:3], 0.0, 0.0)] * first + samples, dtype=float)[:steps]
             length, width, height = actor.size
             paths.append(Path(name, kind, actor.type_id, actor.attributes["role_name"], length, width, height, *rows.T))

@@ -33,7 +33,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
         across = bool(placed and placed.side == "left" and "enter_road" in actions)  # over the other side onto its own
         if not actions & {*WRONG_WAY, *ACROSS} and not (placed and placed.facing == "against") and not across:
             yield scene.make("rules", "own_side", actor, "own_side", f"{name} keeps to its own side of the road.")
-        if spec.type != "bicycle":
+        stands = actor != EGO and actions <= {"stationary"} and (actions or spec.speed == 0)  # it waits for nothing
+        if spec.type != "bicycle" and not stands:
             yield scene.make("rules", "at_line", actor, "at_line", f"{name}: if it waits at a light or sign, it stands "
                              "at its line.")  # fmt: skip
         reacting = actor == EGO and scene.ego.reaction != "none"

@@ -789,7 +789,7 @@ def set_light(car, colour, within=500):
     """Set the light that faces `car`, at most so far (m) ahead; where there is none, nothing."""
     from scenic.simulators.carla.utils.utils import scenicToCarlaTrafficLightStatus
     here = simulation().map.get_waypoint(car.carlaActor.get_transform().location)
-    ahead = here.get_landmarks_of_type(within, '1000001') if here and not car._intersection else []
+    ahead = here.get_landmarks_of_type(within, '1000001') if here else []
     if ahead:
         light = simulation().world.get_traffic_light(min(ahead, key=lambda mark: mark.distance))
         if light:

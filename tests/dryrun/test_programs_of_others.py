@@ -111,3 +111,24 @@ def test_a_model_can_take_the_place_of_the_programs(dry):
     assert report.trajectories[0].tracks[0].kind == "truck"
     refused = check(dry, code, override="os")
     assert [(s.name, s.ok) for s in refused.stages] == [("parse", True), ("safety", False)]
+
+
+JOINS = """\
+scenario Joining():
+    setup:
+        new Pedestrian at 0 @ 0, with regionContainedIn everywhere, with behavior Fails()
+behavior Fails():
+    raise ValueError('it cannot walk there')
+    wait
+scenario Main():
+    setup:
+        ego = new Car on Uniform(*network.lanes).centerline
+    compose:
+        do Joining()
+"""
+
+
+def test_a_run_that_ends_as_a_scenario_of_its_own_begins_says_why(dry):
+    report = check(dry, JOINS)
+    (finding,) = [d for s in report.stages if s.name == "run" for d in s.diagnostics]
+    assert "it cannot walk there" in finding.message

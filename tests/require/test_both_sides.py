@@ -729,6 +729,17 @@ def test_most_runs_decide_and_failures_are_told_in_a_line() -> None:
     )
 
 
+def test_who_is_said_to_stand_somewhere_is_not_asked_to_stand_at_a_line() -> None:
+    standing = ObjectSpec(phases=(Phase(action="stationary"),)), ObjectSpec(speed=0.0)
+    ids = {r.id for r in require(s(*standing, ObjectSpec()))}
+    assert {"O1.at_line", "O2.at_line", "O3.at_line"} & ids == {"O3.at_line"}
+
+
+def test_an_unregulated_approach_may_lead_to_a_light_further_on() -> None:
+    (rule,) = [r for r in require(s(place=PlaceSpec(kind="intersection", control="none"))) if r.id == "R.control"]
+    assert (rule.check, rule.values["fact"], rule.values["value"]) == ("road_fact", "signalized", False)
+
+
 def test_no_two_rules_share_a_name() -> None:
     names = [name for part in PARTS for name in part.CHECKS]
     assert len(names) == len(set(names)), sorted(names)

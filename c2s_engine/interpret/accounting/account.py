@@ -102,8 +102,8 @@ class _Account:
             word = self.scene.words[event.word]
             at = (word.start, word.end)
             notes.append(Unmet(text=text[slice(*at)], reason=NO_STEP.format(event.act.replace("_", " "), cid), span=at))
-        for at in unheld(self.scene, self.structure):
-            notes.append(Unmet(text=text[slice(*at)], reason=NO_VALUE.format(text[slice(*at)]), span=at))
+        values = [(text[slice(*at)], at) for at in unheld(self.scene, self.structure)]
+        notes += [Unmet(text=words, reason=NO_VALUE.format(words), span=at) for words, at in values]
         return [n for n in notes if n.span and _meets(n.span, spans) and not _meets(n.span, self.notes)]
 
     def _attach(self, understood: list[Span]) -> None:

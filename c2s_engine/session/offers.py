@@ -12,9 +12,10 @@ MOST = 4
 
 
 def wanted(structure: Structure) -> list[tuple[str, str]]:
-    """(component, words) of what is unmet and can be code of a component; what no component took up has none."""
+    """(component, words) of what is unmet and can be code of a component; what no component took up has none, and a
+    single word or a value ("40 m") is near to nothing."""
     found = [(c.id, u.text) for c in structure.components if c.id != "G" for u in c.unmet if u.text.strip()]
-    found += [("", u.text) for u in structure.not_understood if len(u.text.split()) > 1]
+    found += [("", u.text) for u in structure.not_understood if sum(w.isalpha() for w in u.text.split()) > 1]
     return list(dict.fromkeys(found))[:MOST]
 
 

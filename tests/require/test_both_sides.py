@@ -1,6 +1,7 @@
 """Each class of requirement from both sides: a run that shows it, and one that just does not."""
 
 import json
+import time
 from typing import Any
 
 import pytest
@@ -774,3 +775,17 @@ def test_a_distance_is_from_bumper_to_bumper_and_of_programs_from_centre_to_cent
     result = {r.requirement: r for r in evaluate(asked, run.facts, run.trajectories)}["O1.phases.0.trigger"]
     assert (result.holds, result.seen.split(", ")[1]) == (
         holds, "bumper to bumper" if origin == "rendered" else "centre to centre")  # fmt: skip
+
+
+def test_deriving_and_judging_cost_little() -> None:
+    """The median of processor time, which other load does not change: at most 30 ms a run."""
+    scene = Scene([ego(), other(**CUTS_IN)]).run()
+    structure = s(cuts_in(gap=8.0), ego=EgoSpec(speed=10.0, reaction="brake"),
+                  restrictions=t(Limit(kind="deceleration", maximum=6.0),
+                                 Limit(kind="ttc", other="O1", minimum=1.0)))  # fmt: skip
+    times = []
+    for _ in range(5):
+        began = time.process_time()
+        results = evaluate(require(structure), scene.facts, scene.trajectories)
+        times.append(time.process_time() - began)
+    assert len(results) > 15 and sorted(times)[2] < 0.03

@@ -104,7 +104,8 @@ class Shelf:
 
 async def test_snippets_near_to_what_has_no_field():
     lights, horn = Unmet(text="its hazard lights flash", reason="no field"), Unmet(text="honks twice", reason="unknown")
-    structure = Structure(objects=(VAN.model_copy(update={"unmet": (lights,)}),), not_understood=(horn,))
+    value = Unmet(text="40 m", reason="no field of S has the value 40 m")
+    structure = Structure(objects=(VAN.model_copy(update={"unmet": (lights,)}),), not_understood=(horn, value))
     found = await snippets(structure, Shelf())
     assert [(cid, words, [p.title for p in near]) for cid, words, near in found] == [
         ("O2", "its hazard lights flash", ["O: its hazard lights flash"]), ("", "honks twice", ["None: honks twice"]),

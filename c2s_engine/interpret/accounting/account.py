@@ -26,7 +26,7 @@ STRANGE = "“{}” was not read as something that a road user does"
 NOTHING = "nothing of it belongs to a driving scene that the specs can say"
 UNREAL = "told as possible, as a plan or as what came of it, not as part of the scene"
 NO_STEP = "read as “{}”, which {} does not do in S"
-NO_VALUE = "no field of S has this value"
+NO_VALUE = "no field of S has the value {}"
 HEADING = "a heading or a label"
 LABEL_WORDS = 4
 
@@ -102,7 +102,8 @@ class _Account:
             word = self.scene.words[event.word]
             at = (word.start, word.end)
             notes.append(Unmet(text=text[slice(*at)], reason=NO_STEP.format(event.act.replace("_", " "), cid), span=at))
-        notes += [Unmet(text=text[slice(*at)], reason=NO_VALUE, span=at) for at in unheld(self.scene, self.structure)]
+        values = [(text[slice(*at)], at) for at in unheld(self.scene, self.structure)]
+        notes += [Unmet(text=words, reason=NO_VALUE.format(words), span=at) for words, at in values]
         return [n for n in notes if n.span and _meets(n.span, spans) and not _meets(n.span, self.notes)]
 
     def _attach(self, understood: list[Span]) -> None:

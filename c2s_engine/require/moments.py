@@ -75,7 +75,8 @@ def beside(motion: Motion) -> np.ndarray:
     """m to the left of where it drives first, at each step, over lane changes too."""
     aside = motion.of_course("aside")
     steps = np.diff(aside, prepend=aside[:1])
-    window = min(max(1, round(0.4 / motion.step)), len(steps))  # its way may go on in another lane from one sample to the next
+    # its way may go on in another lane from one sample to the next
+    window = min(max(1, round(0.4 / motion.step)), len(steps))
     moved = np.convolve(steps, np.ones(window), mode="same")
     steps[np.abs(moved) > LANE / 2] = 0.0
     return np.asarray(np.cumsum(steps))

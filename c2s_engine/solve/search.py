@@ -37,7 +37,7 @@ class Outcome:
 
     @property
     def score(self) -> tuple[int, float, int]:
-        """How many were not seen (negative), then by how much they fail; last what the run's length alone sets right."""
+        """How many were not seen (negative), then by how much they fail; last what the run's length sets right."""
         failing = [(q, r) for q, r in self.failing if q.check not in ENDING]
         missed = sum(r.robustness if r.robustness is not None else -1.0 for _, r in failing)
         return -len(failing), missed, len(failing) - len(self.failing)

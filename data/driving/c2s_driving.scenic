@@ -1246,7 +1246,8 @@ def _at_junctions(places, approach, exit, limit, lanes, others=(), roundabout=Fa
                 found.append(Place(place.lane, place.turn, place.mark, place.merging, place.beside, reached,
                                    place.longer, place.exit))
         if found:
-            return _posted(_exactly(lanes.get('lanes'), found), limit)
+            beside = lanes.get('lanes') or any(other.passed for other in others) and 2
+            return _posted(_exactly(beside, found), limit)
     return []
 
 def _exactly(lanes, places):

@@ -47,7 +47,7 @@ def relations_of(spec: ObjectSpec) -> tuple[set[str], set[str]]:
         "crossing_right": (quadrant("ahead", "right"), {"crossing"}), "opposite_approach": (quadrant("ahead", "left"), {"oncoming"}),
         "roadside": (quadrant(along or "ahead", side), {"roadside"}), "sidewalk": (quadrant(along or "ahead", side), {"roadside", "sidewalk"}),
         "parked": (quadrant(along or "ahead", side), {"roadside"}), "partly_in_lane": (quadrant("ahead", side), {"same"}),
-        "on_ramp": (quadrant("ahead", "right"), {"ramp"}), "intersection_exit": ({"ahead"}, {"crossing", "exit"}), "hidden": ({"ahead"}, set()),
+        "on_ramp": (quadrant("ahead", "right"), {"ramp"}), "circulating": (quadrant("ahead", "left"), {"crossing"}), "intersection_exit": ({"ahead"}, {"crossing", "exit"}), "hidden": ({"ahead"}, set()),
     }  # fmt: skip
     return simple[position]
 

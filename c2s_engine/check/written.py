@@ -13,7 +13,7 @@ from c2s_engine.check.values import Values, ends_of
 from c2s_engine.structure.specs import Phase, Trigger
 
 _DRIVE = ("points", "speed", "rate", "offset", "shift")
-_BRAKING = {(2.5, "BrakeFor"): False, (3.5, "EmergencyStop"): True}
+_BRAKING = {(2.5, "BrakeFor"): False, (5.6, "EmergencyStop"): True}
 """Ego's, by the need for it (m/s2) and the behaviour: whether hard."""
 _RATES = {3.0: "brake", 3.5: "stop", 2.5: "accelerate", 4.0: "wait"}  # m/s2
 

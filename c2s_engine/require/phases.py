@@ -242,18 +242,18 @@ def in_order(requirement: Requirement, evidence: Evidence) -> Result:
 def awaited(requirement: Requirement, evidence: Evidence) -> Result:
     """What waits for another's action comes after that has begun; that it did the same before, as for a bend, does not
     matter."""
+    v = requirement.values
+    cause, one = evidence.motion(str(v["cause"])), evidence.motion(requirement.actor)
+    for motion, key, action in ((cause, str(v["first"]), str(v["its"])), (one, str(v["second"]), str(v["action"]))):
+        time = evidence.times.get(key)
+        if motion is not None and time is not None and action in moments.SETS_OUT:  # it can be seen from then on
+            evidence.times[key] = moments.onset(motion, action, time)
     result = in_order(requirement, evidence)
-    first = evidence.times.get(str(requirement.values["first"]))
-    cause = evidence.motion(str(requirement.values["cause"]))
+    first = evidence.times.get(str(v["first"]))
     if result.holds is not False or first is None:
         return result
-    its = str(requirement.values["its"])
-    if cause is not None and its in moments.SETS_OUT:
-        first = moments.onset(cause, its, first)
-        evidence.times[str(requirement.values["first"])] = first
-        result = in_order(requirement, evidence)
-        if result.holds is not False:
-            return result
+    if str(v["action"]) in moments.SETS_OUT:
+        return result
     again = [_moment(requirement, evidence, m, str(requirement.values["action"]), first)
              for m in evidence.motions(requirement.actor)]  # fmt: skip
     if again and all(t is not None and t >= first - bounds()["order"]["room"]["value"] for t in again):

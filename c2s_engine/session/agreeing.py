@@ -41,7 +41,8 @@ def _simpler(structure: Structure, problem: ResolveError) -> Structure | None:
         except EditError:
             continue
         found = contradiction(changed)
-        if found is not None and (other is not None or str(found) == str(problem)):
+        again = found is not None and str(found) == str(problem)  # of several that are placed so, one is left out
+        if again and not (isinstance(edit, SetField) and edit.path == "placement") or found and other is not None:
             continue
         for words in described(structure, changed):
             changed = apply(changed, words)
@@ -70,6 +71,8 @@ def _edits(structure: Structure, problem: ResolveError) -> Iterator[tuple[Compon
             for field in ("distance", "ego_lane", "lanes", "shoulder", "oncoming", "control"):
                 if getattr(spec, field) is not None:
                     yield cid, field.replace("_", " "), SetField(component=cid, path=field, value=None)
+    if getattr(structure.settings.spec, "light_changes", ()):
+        yield "G", "light changes", SetField(component="G", path="light_changes", value=())
     for cid in order:
         spec = structure[cid].spec
         if isinstance(spec, ObjectSpec | EgoSpec):

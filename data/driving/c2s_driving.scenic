@@ -323,12 +323,13 @@ def ring_approach(ego_way, angle):
                 return lane
         ring = min((m.endLane for m in ring.maneuvers), key=lambda lane: lane.centerline.length)
 
-@functools.lru_cache(maxsize=4)
-def ring_lanes(net):
+def _ring_lanes(net):
     """The manoeuvres in the roundabouts of a network, and the lanes between them."""
     ways = [m for i in net.intersections if i.id in map_facts().roundabouts for m in i.maneuvers]
     between = {m.startLane for m in ways} & {m.endLane for m in ways}
     return ways, {lane for lane in between if not (lane.road.forwardLanes and lane.road.backwardLanes)}
+
+ring_lanes = functools.lru_cache(maxsize=4)(_ring_lanes)
 
 def left_ring(car, beside=3):
     """Whether `car` has been in a roundabout and is out of it: more than so far (m) beside the ways round it."""
@@ -1136,9 +1137,6 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
                       and (control not in ('stop', 'yield') or facts.sign(m.startLane, junction) == control)
                       and crosswalk in (None, facts.crosswalk_at(m.startLane))]
     found = [m for m in found if all(any(o.type is way for o in m.startLane.maneuvers) for way in also)]
-    if control is None:
-        found = [m for m in found if facts.sign(m.startLane, m.intersection) != 'stop'] or found
-        found = [m for m in found if not facts.controlled(m.intersection, 'signal')] or found
     minor = control is None and any(other.sign and other.side != 'opposite' for other in others)
     if minor:  # whom others have to give way to has no sign itself
         found = [m for m in found if facts.sign(m.startLane, m.intersection) != 'stop']
@@ -1207,11 +1205,6 @@ def _along_roads(fits, length=0, least=0, limit=None, speed=0, share=0, **lanes)
         return next((found for shoulder in (True, None)
                      for found in [_along_roads(fits, length, least, limit, speed, share, **{**lanes, 'shoulder': shoulder})]
                      if found), [])
-    beside = {None, 'leftmost'} if lanes.get('oncoming') else {None}
-    if lanes.get('lanes') is None and lanes.get('ego_lane') in beside and not share:  # an ordinary road
-        narrow = _along_roads(fits, length, least, limit, speed, 0.7, **{**lanes, 'lanes': 1})
-        if narrow:
-            return narrow
     found = [Place(lane) for road in network.roads for lane in road.lanes
              if lane_fits(lane, lane.sections[0], **lanes) and fits(lane)]
     for part, over in [(part, over) for part, over in SHARES if part >= share and not (share and over == JUNCTIONS)]:
@@ -1220,7 +1213,7 @@ def _along_roads(fits, length=0, least=0, limit=None, speed=0, share=0, **lanes)
         long = [place for place in long if place and (over is None or fits(place.lane))]
         fast = [place for place in long if speed and bends_allow(place.lane, speed, metres)]
         if fast or long and not (speed and share):
-            return _posted(_exactly(lanes.get('lanes'), fast or long), limit, speed)
+            return _posted(_exactly(lanes.get('lanes'), fast or long), limit)
     if lanes.get('lanes') == 1 and not share:  # no road that long has only one
         return _along_roads(fits, length, least, limit, speed, **{**lanes, 'lanes': None})
     return []
@@ -1246,15 +1239,25 @@ def _at_junctions(places, approach, exit, limit, lanes, others=(), roundabout=Fa
                 found.append(Place(place.lane, place.turn, place.mark, place.merging, place.beside, reached,
                                    place.longer, place.exit))
         if found:
-            beside = lanes.get('lanes') or any(other.passed for other in others) and 2
-            return _posted(_exactly(beside, found), limit)
+            return _posted(_exactly(lanes.get('lanes'), found), limit)
     return []
 
 def _exactly(lanes, places):
-    """The places with so many lanes in ego's direction, if there are any, else those with more; with the fewest where
-    none are said."""
-    lanes = lanes or min(len(place.lane.group.lanes) for place in places)
-    return [place for place in places if len(place.lane.group.lanes) == lanes] or places
+    """The places with so many lanes in ego's direction, if there are any, else those with more; all where none are said."""
+    return lanes and [place for place in places if len(place.lane.group.lanes) == lanes] or places
+
+def usual(places, speed=0):
+    """Of some places those that are meant where nothing is said of lanes, control and limits: where ego comes to no sign
+    and to no light, with the fewest lanes in ego's direction, and with a posted limit that suits a speed (m/s); of each
+    only where there are such."""
+    facts = map_facts()
+    for control in 'stop', 'signal':
+        places = [p for p in places if not (p.turn and p.turn.intersection)
+                  or (facts.sign(p.turn.startLane, p.turn.intersection) or '') != control] or places
+    fewest = min([len(place.lane.group.lanes) for place in places], default=0)
+    few = [place for place in places if len(place.lane.group.lanes) == fewest]
+    limits = facts.limits
+    return speed and [p for p in few if 0.8 * speed <= limits.get(p.lane.road.id, 0) <= 1.6 * speed] or few
 
 def _longer(place, metres, over, lanes, ahead=False, exit=0):
     """The place with ego's lane of `metres` up to its end (`ahead`: from its start) and `exit` m behind the junction,
@@ -1273,12 +1276,10 @@ def _longer(place, metres, over, lanes, ahead=False, exit=0):
     return Place(lengthened(place.lane, metres + 1, ahead, across), place.turn, place.mark, place.merging, place.beside,
                  longer=(metres + 1, ahead, across), exit=exit + 1)
 
-def _posted(places, limit, speed=0):
-    """The places with that posted limit (m/s), or where none is said with one that suits a speed; all where there are
-    none."""
-    low, high = (limit - 0.55, limit + 0.55) if limit else (0.8 * speed, 1.6 * speed)
+def _posted(places, limit):
+    """The places with that posted limit (m/s), all where there are none."""
     limits = map_facts().limits
-    return [p for p in places if low <= limits.get(p.lane.road.id, 0) <= high] or places
+    return limit and [p for p in places if abs(limits.get(p.lane.road.id, 0) - limit) < 0.55] or places
 
 # What Scenic's parser leaves out of a map.
 

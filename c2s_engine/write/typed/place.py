@@ -26,7 +26,10 @@ def write_place(plan: Plan) -> str:
     lines = []
     if plan.place.speed_limit is not None:
         lines.append(f"param speed_limit = {number(round(plan.place.speed_limit * 3.6))}  # km/h, as posted")
-    lines += call(plan).lines("place = Uniform(*", ")")
+    if _ordinary(plan):
+        lines += call(plan).lines("place = Uniform(*usual(", f"{_suits(plan)}))")
+    else:
+        lines += call(plan).lines("place = Uniform(*", ")")
     lines += _start(plan)
     return "\n".join(lines)
 
@@ -65,6 +68,18 @@ def call(plan: Plan, share: float = 0.0) -> Call:
         others=tuple(_from(plan, position, turn) for position, turn in plan.ways_of_others),
         more=more,
     )
+
+
+def _ordinary(plan: Plan) -> bool:
+    """Whether nothing asks for more lanes than roads usually have."""
+    spec = plan.place
+    beside = {None, "leftmost"} if spec.oncoming else {None}
+    return spec.lanes is None and spec.ego_lane in beside and not plan.pockets and spec.kind not in {"motorway", *RAMP}
+
+
+def _suits(plan: Plan) -> str:
+    """The speed that a road's limit is to suit, as an argument, where no limit is said."""
+    return f", speed={number(plan.ego_speed)}" if plan.ego_speed > 0 and plan.place.speed_limit is None else ""
 
 
 def _near(plan: Plan) -> bool:

@@ -4,7 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
-from c2s_engine.write.typed.collisions import Step, struck_beside
+from c2s_engine.write.typed.collisions import Step, hit_next, struck_beside
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.passing import BESIDE, NARROW
 from c2s_engine.write.typed.tables import LANE_WIDTH, is_static, is_vehicle, is_walker
@@ -45,8 +45,12 @@ def loses_control(c: Course, p: Phase) -> list[Step]:
     metres = (-1 if sided.side == "right" else 1) * PARTLY
     if any(q.action in ("lane_change", "cut_out", "oncoming") for q in later[:1]):
         metres = metres / PARTLY * LANE_WIDTH
+    hit = hit_next(c, p)
+    metres = metres / PARTLY * LANE_WIDTH if hit and abs(metres) == PARTLY else metres
     rate = grip(c.actor.structure, SLIDING, DRY)
     slides = f"do Skid(line, {scope.number(metres)}, {scope.number(rate)})"
+    if hit:
+        return [([slides], f"until touch(self, {c.actor.ref(hit.target)})")]
     if any(q.action in ENDS for q in later):
         return [([slides], "until self.speed < 0.2")]
     return [([slides], RECOVERS), ([c.drive()], "for 2 seconds")]

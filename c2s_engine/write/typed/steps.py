@@ -225,8 +225,8 @@ def _sideways(c: Course, p: Phase, metres: float, shift: float, seconds: float |
         shift = middle(p.lateral_speed)
         seconds = seconds and max(seconds, round(lateral.sideways(abs(metres), shift) + 0.5, 1))
     out = c.drive(c.set(c.wanted(p, c.value)), offset=scope.number(side * abs(metres)), shift=shift)
-    if hit_next(c, p):
-        return [([out], ending(p, HITS_SOON))]
+    if hit := hit_next(c, p):
+        return [([out], ending(p, f"until touch(self, {c.actor.ref(hit.target)})"))]
     if seconds is None:
         return [([out], ending(p, ""))]
     return [([out], ending(p, f"for {scope.number(seconds)} seconds")), ([c.drive()], "for 3 seconds")]

@@ -24,7 +24,7 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
     """The steps out, past the other (all of them where they are several) and back."""
     c.set(_top(c, p))
     scrapes = _scrapes(c, p)  # it comes back too early
-    past = " and ".join(f"lead_on(self, {one}) > {-9 if scrapes else _ahead(c, p)}" for one in _whom(c, p))
+    past = " and ".join(f"lead_on(self, {one}) > {-14 if scrapes else _ahead(c, p)}" for one in _whom(c, p))
     if not (c.oncoming_both(p) or c.same_lane(p) and c.lane is not None):
         return [([c.drive()], f"until {past}")]
     if not c.oncoming_both(p) and leaves_lane(c.other(p.target)):  # it clears the way

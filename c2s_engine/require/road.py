@@ -8,7 +8,7 @@ from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.require.watched import SHOWN_AS
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
-from c2s_engine.structure.requirements import Requirement, Result
+from c2s_engine.structure.requirements import Requirement, Result, Value
 from c2s_engine.structure.specs import SettingsSpec
 
 SIGNS = {"signal": "traffic_light", "stop": "stop_sign", "yield": "yield_sign"}
@@ -57,8 +57,9 @@ def _settings(scene: Scene) -> Iterator[Requirement]:
                              component="G", value=weather)  # fmt: skip
     if spec.time:
         low_sun = spec.time == "day" and spec.parameters.get("sun_altitude_angle", 0.0) > 0
+        more: dict[str, Value] = {"low_sun": True} if low_sun else {}
         yield scene.make("settings", "time_of_day", EGO, "time", f"The time of day: {spec.time}.", component="G",
-                         value=spec.time, **({"low_sun": True} if low_sun else {}))  # fmt: skip
+                         value=spec.time, **more)  # type: ignore[arg-type]  # fmt: skip
 
 
 def road_kind(requirement: Requirement, evidence: Evidence) -> Result:

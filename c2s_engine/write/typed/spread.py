@@ -93,7 +93,8 @@ def _rows(structure: Structure) -> Structure:
 def _followed(structure: Structure, spec: ObjectSpec) -> ObjectSpec:
     """Whom somebody beside the road sets out after who waits for that, from where that one does; else itself."""
     trigger = spec.phases[0].trigger if spec.phases else None
-    other = structure[trigger.of].spec if trigger and trigger.kind == "action" and trigger.of in structure else None
+    of = trigger.of if trigger and trigger.kind == "action" else None
+    other = structure[of].spec if of and of in structure else None
     return other if isinstance(other, ObjectSpec) and crosses(spec) and crosses(other) else spec
 
 

@@ -184,7 +184,7 @@ def test_a_line_that_drops_without_a_signal_ends_the_app_too(terminal):
 
 def test_an_editor_outside_copying_and_few_colours(terminal):
     editor = terminal.home / "editor"
-    editor.write_text('#!/bin/sh\nsed -i "s/^param timestep.*/&  # from outside/" "$1"\nread pressed\n')
+    editor.write_text('#!/bin/sh\nsed -i "s/^EGO_SPEED.*/& # from outside/" "$1"\nread pressed\n')
     editor.chmod(0o755)
     terminal.start(before=f"env TERM=screen COLORTERM= EDITOR={editor}")  # the first run: the example
     terminal.type("zq")  # while it starts

@@ -183,7 +183,7 @@ def at_corner(o: ObjectSpec, place: PlaceSpec) -> bool:
     """Whether it stands at the corner of the junction before ego: what hides who comes from the side there."""
     at = o.placement
     beside = at.position in MOVES_OFF_ROAD and at.of == "ego" and at.gap is None and at.along != "behind"
-    return o.type in HEIGHT and place.kind in JUNCTION and beside
+    return o.type in HEIGHT and o.count == 1 and place.kind in JUNCTION and beside
 
 
 def uses_crosswalk(o: ObjectSpec) -> bool:

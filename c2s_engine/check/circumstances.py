@@ -7,10 +7,11 @@ from typing import Any
 from c2s_engine.check.conduct import between_of
 from c2s_engine.check.values import Values, ends_of
 from c2s_engine.check.whereabouts import Whereabouts
+from c2s_engine.maps.expressions import MANOEUVRE_TYPE
 from c2s_engine.structure.specs import Condition, PlaceSpec, RestrictionsSpec
 
 _ARMS = {"is3Way": 3, "is4Way": 4}
-_WAYS = {"LEFT_TURN": "left", "RIGHT_TURN": "right", "STRAIGHT": "straight", "U_TURN": "u_turn"}
+_WAYS = {kind: way for way, kind in MANOEUVRE_TYPE.items()}
 LONGEST = 120.0  # s: what S takes as a run's length
 
 

@@ -25,7 +25,8 @@ FUNCTION = {
     "crosswalk": "crosswalks", "intersection": "junctions", "roundabout": "roundabouts", "on_ramp": "merges",
     "off_ramp": "exits",
 }  # fmt: skip
-_TURN = {"left": "LEFT_TURN", "right": "RIGHT_TURN", "straight": "STRAIGHT", "u_turn": "U_TURN"}
+MANOEUVRE_TYPE = {"left": "LEFT_TURN", "right": "RIGHT_TURN", "straight": "STRAIGHT", "u_turn": "U_TURN"}
+"""Scenic's name of the way by which ego leaves a junction."""
 STRETCHES = ("road", "straight", "curve", "motorway")
 
 
@@ -103,7 +104,7 @@ def _kind(spec: PlaceSpec) -> tuple[tuple[str, ...], dict[str, str]]:
     if spec.kind in ("road", "straight", "intersection") and spec.crosswalk is not None:
         named["crosswalk"] = repr(spec.crosswalk)
     if spec.kind == "intersection":
-        first = (_TURN[spec.manoeuvre],) if spec.manoeuvre else ()
+        first = (MANOEUVRE_TYPE[spec.manoeuvre],) if spec.manoeuvre else ()
         named |= {"arms": str(spec.arms or ""), "control": repr(spec.control) if spec.control else ""}
     along = spec.ego_lane in ("leftmost", "middle") or (spec.kind == "on_ramp" and (spec.lanes or 1) > 1)
     if spec.kind in ("on_ramp", "off_ramp") and along:

@@ -36,7 +36,6 @@ BESIDE = ("roadside", "sidewalk", "parked", "intersection_exit")
 ANSWERS = ("brake", "stop", "swerve", "lane_change", "yield", "wait")
 """What ego does of its own accord in answer to another, where it names whom or waits for what that one does."""
 
-
 GONE_BY = ("apart", "passed", "speed", "light", "place")
 """What one waits for that is no threat any more, or never was."""
 

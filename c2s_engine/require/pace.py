@@ -65,8 +65,7 @@ def _last(requirement: Requirement, moments: list[float], evidence: Evidence) ->
         float(m.time[len(m.speed) - 1 - int((m.speed[::-1] >= STANDING).argmax())])
         for m in evidence.everybody if m.moves and m.speed[-1] < STANDING
     ]  # fmt: skip
-    changed = [*_braked(requirement, evidence), *_sped_up(requirement, evidence)]
-    return max([*moments, *left, *stands, *changed, *(c.time for c in evidence.facts.contacts)])
+    return max([*moments, *left, *stands, *_braked(requirement, evidence), *(c.time for c in evidence.facts.contacts)])
 
 
 def _seen(requirement: Requirement, evidence: Evidence) -> Iterator[tuple[str, str, Motion]]:
@@ -97,19 +96,6 @@ def _leaves(motion: Motion, time: float, round_it: bool) -> float:
     return stays[inside + 1].time if inside + 1 < len(stays) else float(motion.time[-1])
 
 
-def _sped_up(requirement: Requirement, evidence: Evidence) -> Iterator[float]:
-    """When those whose gaining speed is said have gained it."""
-    of = requirement.values["of"]
-    assert isinstance(of, tuple)
-    for key in map(str, of):
-        component, _, action = key.partition(".")
-        time = evidence.times.get(key)
-        if action.rpartition(".")[2] in ("accelerate", "start") and time is not None:
-            for motion in evidence.motions(EGO if component == "E" else component):
-                gains = motion.acceleration[motion.at(time) :] > bounds()["phase"]["change_rate"]["value"] / 2
-                yield time + motion.step * float(gains.argmin() if not gains.all() else len(gains))
-
-
 def _braked(requirement: Requirement, evidence: Evidence) -> list[float]:
     """When ego's last braking for others is over, and when it is back in its lane, where it reacts."""
     ego = evidence.motion(EGO)
@@ -128,14 +114,8 @@ def first_event(requirement: Requirement, evidence: Evidence) -> Result:
     said, moments = f"within {least:g} to {most:g} s", _moments(requirement, evidence)
     if not moments:
         return unknown(requirement, said, "not reached: nothing of what is said was seen")
-    return scored(
-        requirement,
-        min(moments[0] - least, most - moments[0]),
-        said,
-        f"{moments[0]:.1f} s",
-        moments[0],
-        measured=(moments[0], least, most),
-    )
+    return scored(requirement, min(moments[0] - least, most - moments[0]), said, f"{moments[0]:.1f} s", moments[0],
+                  measured=(moments[0], least, most))  # fmt: skip
 
 
 def soon_over(requirement: Requirement, evidence: Evidence) -> Result:

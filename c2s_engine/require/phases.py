@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from c2s_engine.require import moments, watched
+from c2s_engine.require import moments
 from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
 from c2s_engine.require.geometry import box_distance
 from c2s_engine.require.results import between, decided, scored, span, unknown
@@ -13,6 +13,7 @@ from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result, Value
 from c2s_engine.structure.specs import Phase
+from c2s_engine.structure.triggers import is_watched
 
 SIDED = ("cut_in", "cut_out", "swerve", "drift", "leave_road")
 AT_JUNCTION = ("turn_left", "turn_right", "go_straight", "run_red", "run_stop")
@@ -93,7 +94,7 @@ def _details(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
         least, most = goal
         yield scene.make("speed", "reaches", actor, f"{path}.speed", f"{name}: {said} at {kmh(least, most)}.", of=of,
                          least=least, most=most)  # fmt: skip
-    trigger = phase.trigger if phase.trigger and not watched.judged_here(phase.trigger, actor) else None
+    trigger = phase.trigger if phase.trigger and not is_watched(phase.trigger, actor) else None
     if trigger and trigger.kind == "place" and trigger.place and scene.stated(_cid(actor), f"{path}.trigger"):
         value = high(trigger.value) if trigger.value is not None else 0.0
         where = "end of the acceleration lane" if trigger.place == "merge_end" else trigger.place
@@ -221,8 +222,6 @@ def _missed(requirement: Requirement, evidence: Evidence, motion: Motion, action
     elif action == "stop":
         margin = min(-0.05, -float(motion.speed.min()) / 5)
     elif action == "collide" and (other := evidence.motion(requirement.other or EGO)):
-        from c2s_engine.require.geometry import box_distance
-
         n = min(len(motion.x), len(other.x))
         gap = float(box_distance(motion.poses[:n], other.poses[:n], motion.size, other.size).min())
         margin, seen = min(-0.05, -gap / 5), f"no nearer than {gap:.1f} m"
@@ -250,9 +249,7 @@ def awaited(requirement: Requirement, evidence: Evidence) -> Result:
             evidence.times[key] = moments.onset(motion, action, time)
     result = in_order(requirement, evidence)
     first = evidence.times.get(str(v["first"]))
-    if result.holds is not False or first is None:
-        return result
-    if str(v["action"]) in moments.SETS_OUT:
+    if result.holds is not False or first is None or str(v["action"]) in moments.SETS_OUT:
         return result
     again = [_moment(requirement, evidence, m, str(requirement.values["action"]), first)
              for m in evidence.motions(requirement.actor)]  # fmt: skip

@@ -24,10 +24,8 @@ LENGTHWISE = {"ahead": "ahead", "behind": "behind", "oncoming_lane": "ahead", "o
               "circulating": "ahead", "roadside": "ahead", "sidewalk": "ahead", "parked": "ahead",
               "partly_in_lane": "ahead", "intersection_exit": "ahead"}  # fmt: skip
 SIDEWAYS = {"left_lane": "left", "right_lane": "right", "crossing_left": "left", "crossing_right": "right"}
-WIDE = 3.5
-"""m to the side at which one is beyond the next lane."""
 LANE = 3.5
-"""m, of most maps' lanes."""
+"""m, of most maps' lanes: so far to the side one is beyond the next lane."""
 RIDERS = ("bicycle", "motorcycle")
 """Who is beside another in its lane or at its edge, too."""
 OFF_LANES = ("roadside", "sidewalk", "parked")
@@ -52,7 +50,7 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
         lanes = (*lanes, "same", "roadside", "sidewalk") if spec.type in RIDERS else lanes
     if scene.place.kind == "roundabout" and "crossing" in (lanes or ()):  # arms meet at any angle
         lanes = ("crossing", "oncoming")
-    beyond = place.lateral is not None and low(place.lateral) > WIDE or place.lanes_over > 1  # not the next lane
+    beyond = place.lateral is not None and low(place.lateral) > LANE or place.lanes_over > 1  # not the next lane
     if place.lanes_over > 1 and place.position in SIDEWAYS:
         sign = 1 if place.position == "left_lane" else -1
         text = f"{name} starts {place.lanes_over} lanes to the {SIDEWAYS[place.position]} of {of}."

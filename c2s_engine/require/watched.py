@@ -7,14 +7,14 @@ import numpy as np
 
 from c2s_engine.require import moments
 from c2s_engine.require.evidence import STANDING, Evidence, Motion
-from c2s_engine.require.geometry import box_distance
+from c2s_engine.require.geometry import box_distance, lead
 from c2s_engine.require.results import between, decided, scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import Phase, SettingsSpec, Trigger
-from c2s_engine.structure.triggers import JUDGED_HERE, NEW_PLACES, clause
+from c2s_engine.structure.triggers import clause, is_watched
 
 STANDS = ("stationary", "wait", "stop", "yield")
 SHOWN_AS = {"dark": ("off",), "flashing": ("yellow", "off")}
@@ -32,7 +32,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
         cid, path = "E" if actor == EGO else actor, f"phases.{i}"
         name, said, of = scene.named(actor), phase.action.replace("_", " "), f"{cid}.{path}.{phase.action}"
         t = phase.trigger
-        if t is not None and judged_here(t, actor) and scene.stated(cid, f"{path}.trigger"):
+        if t is not None and is_watched(t, actor) and scene.stated(cid, f"{path}.trigger"):
             yield scene.make("order", "begins_when", actor, f"{path}.trigger", f"{name}: {said} begins when "
                              f"{words(scene, t, actor)}.", of=of, action=phase.action,
                              delay=middle(t.delay or 0.0), **_values(scene, t, actor))  # fmt: skip
@@ -54,11 +54,6 @@ def required(scene: Scene) -> Iterator[Requirement]:
             room = f"no nearer than {least:g} m" if np.isinf(most) else f"within {least:g} to {most:g} m"
             yield scene.make("outcome", "closest", c.subject, f"require.{i}", f"{one} and {other} come {room} of one "
                              "another.", other=c.other or EGO, component="T", least=least, most=most)  # fmt: skip
-
-
-def judged_here(t: Trigger, actor: str) -> bool:
-    """Whether the moment of a phase is judged here; c2s_engine/require/phases.py judges the others."""
-    return t.kind in JUDGED_HERE or t.place in NEW_PLACES or t.subject not in (None, actor)
 
 
 def words(scene: Scene, t: Trigger, actor: str) -> str:
@@ -119,10 +114,8 @@ def comes_about(requirement: Requirement, evidence: Evidence) -> float | None:
 def _of_two(kind: str, one: Motion, other: Motion, value: float) -> Array:
     """At each step whether it holds of two that are both there."""
     n = min(len(one.x), len(other.x))
-    dx, dy = other.x[:n] - one.x[:n], other.y[:n] - one.y[:n]
     if kind == "passed":
-        along = -np.sin(one.heading[:n]) * dx + np.cos(one.heading[:n]) * dy
-        return along < -one.size[0] / 2
+        return lead(one.poses[:n], other.poses[:n]) < -one.size[0] / 2
     gap = box_distance(one.poses[:n], other.poses[:n], one.size, other.size)
     if kind == "ttc":
         closing = -np.gradient(gap, one.step)
@@ -154,9 +147,21 @@ def _at_place(motion: Motion, place: str, before: float) -> float | None:
 
 def _light(motion: Motion, evidence: Evidence, state: str) -> float | None:
     """When the light on its way shows a state."""
+    return next(_shows(motion, evidence, state), None)
+
+
+def _shows(motion: Motion, evidence: Evidence, state: str) -> Iterator[float]:
+    """The times (s) at which a light on its way begins to show a state."""
     names = {m.name for m in motion.course.marks if m.kind == "line" and m.control == "signal"}
     wanted = SHOWN_AS.get(state, (state,))
-    return next((t for t, where, shown in evidence.trajectories.lights if where in names and shown in wanted), None)
+    return (t for t, where, shown in evidence.trajectories.lights if where in names and shown in wanted)
+
+
+def _follows(requirement: Requirement, begun: float, due: float, said: str, seen: str) -> Result:
+    """Whether something begins (s) when it is due or soon after, and not before."""
+    room = bounds()["order"]["begins"]["value"]
+    off = max(due - begun, begun - due - room, 0.0)
+    return scored(requirement, 1.0 - off / room * 2, said, seen, begun)
 
 
 def begins_when(requirement: Requirement, evidence: Evidence) -> Result:
@@ -169,9 +174,7 @@ def begins_when(requirement: Requirement, evidence: Evidence) -> Result:
         return decided(requirement, False, said, f"at {seen:.1f} s, and that never comes about", seen)
     due = since + float(v["delay"])  # type: ignore[arg-type]
     begun = moments.onset(motion, str(v["action"]), seen)
-    room = bounds()["order"]["begins"]["value"]
-    off = max(due - begun, begun - due - room, 0.0)
-    return scored(requirement, 1.0 - off / room * 2, said, f"{begun:.1f} s, that at {since:.1f} s", begun)
+    return _follows(requirement, begun, due, said, f"{begun:.1f} s, that at {since:.1f} s")
 
 
 def ends_when(requirement: Requirement, evidence: Evidence) -> Result:
@@ -187,9 +190,8 @@ def ends_when(requirement: Requirement, evidence: Evidence) -> Result:
     moves = np.flatnonzero((motion.speed > STANDING) & (motion.time > max(seen, since - 2.0)))
     if not len(moves):
         return decided(requirement, False, said, "it does not move again", since)
-    moved, room = float(motion.time[moves[0]]), bounds()["order"]["begins"]["value"]
-    off = max(since - moved, moved - since - room, 0.0)
-    return scored(requirement, 1.0 - off / room * 2, said, f"moves at {moved:.1f} s, that at {since:.1f} s", moved)
+    moved = float(motion.time[moves[0]])
+    return _follows(requirement, moved, since, said, f"moves at {moved:.1f} s, that at {since:.1f} s")
 
 
 def _clearance(scene: Scene, actor: str, path: str, phase: Phase) -> Iterator[Requirement]:
@@ -244,9 +246,7 @@ def light_turns(requirement: Requirement, evidence: Evidence) -> Result:
     if ego is None or due is None:
         return unknown(requirement, said, "not reached: that never comes about")
     due += float(v["delay"])  # type: ignore[arg-type]
-    names = {m.name for m in ego.course.marks if m.kind == "line" and m.control == "signal"}
-    wanted = SHOWN_AS.get(str(v["turns"]), (str(v["turns"]),))
-    turns = [t for t, where, shown in evidence.trajectories.lights if where in names and shown in wanted]
+    turns = list(_shows(ego, evidence, str(v["turns"])))
     if not turns:
         return decided(requirement, False, said, "it never shows that")
     nearest = min(turns, key=lambda t: abs(t - due))

@@ -1,10 +1,11 @@
 """What a component is about, in the vocabulary's words, and how far what a snippet is about agrees with it."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 from typing import get_args
 
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import ComponentId, Structure
+from c2s_engine.structure.leaves import leaves
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec, RestrictionsSpec
 
 ACTIONS = {*get_args(v.Action), *get_args(v.Reaction)} - {"none"}
@@ -39,7 +40,7 @@ def terms_of(structure: Structure, cid: ComponentId) -> tuple[str, ...]:
 def told_of(structure: Structure, cid: ComponentId) -> dict[str, tuple[str, ...]]:
     """Those of them that the spec of an imported component was read to say, as a snippet's head has them by field."""
     spec = structure[cid].spec
-    said = {*_strings(spec.model_dump(exclude_defaults=True, exclude={"component"})), getattr(spec, "type", "")}
+    said = {*leaves(spec.model_dump(exclude_defaults=True, exclude={"component"})), getattr(spec, "type", "")}
     said |= {*_MANOEUVRES.values()} if cid == "E" else set()
     found: dict[str, list[str]] = {}
     for term in terms_of(structure, cid):
@@ -61,13 +62,6 @@ def _section(word: str, kind: str) -> str:
         return "reactions"
     return "positions" if word in POSITIONS else "actions"
 
-
-def _strings(value: object) -> Iterator[str]:
-    if isinstance(value, dict | list | tuple):
-        for inner in value.values() if isinstance(value, dict) else value:
-            yield from _strings(inner)
-    elif isinstance(value, str):
-        yield value
 
 
 def _unsaid(spec: ObjectSpec) -> list[str]:

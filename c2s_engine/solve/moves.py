@@ -8,17 +8,13 @@ import yaml
 
 from c2s_engine import paths
 from c2s_engine.solve.reaching import further
-from c2s_engine.solve.unknowns import Unknown
+from c2s_engine.solve.unknowns import Move, Setting, Unknown, component_of, find
 from c2s_engine.structure.components import ComponentId, Structure
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed.usual_values import Usual
 
-Setting = tuple[Unknown, float]
-"""An unknown and a value for it."""
-Move = tuple[Setting, ...]
-"""What is tried at once."""
 AFTER = 3.0
 """s for which a run goes on after the last of what is said."""
 SHARES = (1.0, 0.5, 0.25)
@@ -34,7 +30,7 @@ def moves(structure: Structure, failing: Sequence[tuple[Requirement, Result]], o
     """What to try next, each once, the most promising first: all exact corrections at once, the run's length, then for
     each failing requirement its first idea, then the second ones."""
     exact = [list(_exact(structure, q, r, open_, usual)) for q, r in failing]
-    tried = [[(setting,) for setting in _for(q, r, open_)] for q, r in failing]
+    tried = [list(_for(q, r, open_)) for q, r in failing]
     ideas = [[*e, *t] for e, t in zip(exact, tried, strict=True)]
     longest = max(map(len, ideas), default=0)
     singly = [row[k] for k in range(longest) for row in ideas if k < len(row)]
@@ -53,7 +49,7 @@ def _together(corrections: Sequence[Move]) -> Move:
 def _ending(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unknown]) -> Iterator[Move]:
     """The run's length in closed form, where the run goes on too long after the last of what is said."""
     late = next((r for q, r in failing if q.check == "soon_over" and r.value is not None and r.time is not None), None)
-    length = next((u for u in open_ if (u.component, u.path) == ("T", "duration")), None)
+    length = find(open_, "T", "duration")
     if late is not None and length is not None:
         assert late.time is not None and late.value is not None
         yield ((length, float(max(4.0, round(late.time - late.value + AFTER)))),)
@@ -92,10 +88,7 @@ def _later(structure: Structure, seconds: float, begins: float, open_: Sequence[
             value = unknown.value + (max(seconds, 0.0) if unknown.component == "T" else seconds)
         else:
             continue
-        low, high = unknown.limits
-        value = round(min(max(value, low), high), 1)
-        if value != round(unknown.value, 1):
-            found.append((unknown, value))
+        found += unknown.set_to(value)
     return tuple(found)
 
 
@@ -115,13 +108,9 @@ def _in_time(structure: Structure, requirement: Requirement, due: float, open_: 
         (who, "placement.gap", -away if usual.speeds.get(who, 0.0) and who in usual.later else 0.0),
         ("R", "distance", -away),
     ):
-        unknown = next((u for u in open_ if (u.component, u.path) == (component, path)), None)
-        if unknown is None or not grows:
-            continue
-        low, high = unknown.limits
-        value = round(min(max(unknown.value + grows * due, low), high), 2)
-        if value != unknown.value:
-            yield ((unknown, value),)
+        unknown = find(open_, component, path)
+        if unknown is not None and grows and (move := unknown.set_to(unknown.value + grows * due, 2)):
+            yield move
 
 
 def _back(spec: object) -> float:
@@ -141,15 +130,13 @@ def _parting(spec: ObjectSpec, own: float, speed: float) -> float:
     return speed - own if behind else own - speed
 
 
-def _for(requirement: Requirement, result: Result, open_: Sequence[Unknown]) -> Iterator[Setting]:
+def _for(requirement: Requirement, result: Result, open_: Sequence[Unknown]) -> Iterator[Move]:
     for row in _table().get(requirement.check, ()):
         if row.get("seen") and row["seen"] != _side(result):
             continue
-        for unknown in open_:
-            if unknown.component in _whose(row["of"], requirement) and unknown.path.rsplit(".", 1)[-1] == row["field"]:
-                value = unknown.moved(float(row["times"]))
-                if value != round(unknown.value, 1):
-                    yield unknown, value
+        whose = _whose(row["of"], requirement)
+        fields = [u for u in open_ if u.component in whose and u.path.rsplit(".", 1)[-1] == row["field"]]
+        yield from filter(None, (u.set_to(u.value * float(row["times"])) for u in fields))
 
 
 def _side(result: Result) -> str:
@@ -164,7 +151,7 @@ def _whose(of: str, requirement: Requirement) -> tuple[ComponentId, ...]:
     if of == "objects":
         return tuple(f"O{k}" for k in range(1, 100))
     who = {"actor": requirement.actor, "other": requirement.other, "ego": EGO}.get(of, of)
-    return ("E",) if who == EGO else (who,) if who else ()
+    return (component_of(who),) if who else ()
 
 
 @cache

@@ -1,10 +1,13 @@
 """The unknowns of S: fields that the text left open, with the value that is written for each now."""
 
-from collections.abc import Iterator
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from c2s_engine.structure.components import Assumption, Component, ComponentId, Structure
 from c2s_engine.structure.edits import EditError, SetField, apply
+from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import Quantity, in_words, middle
 from c2s_engine.structure.sentences import retold
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
@@ -35,10 +38,31 @@ class Unknown:
     def limits(self) -> tuple[float, float]:
         return LIMITS[self.path.rsplit(".", 1)[-1]]
 
-    def moved(self, factor: float) -> float:
-        """The value times `factor`, within its limits."""
+    def set_to(self, value: float, digits: int = 1) -> Move:
+        """The move that gives it `value`, within its limits and rounded; none where that changes nothing."""
+        within = self.within(value, digits)
+        return ((self, within),) if within != round(self.value, digits) else ()
+
+    def within(self, value: float, digits: int = 1) -> float:
+        """`value`, or the limit beyond which it is, rounded."""
         low, high = self.limits
-        return round(min(max(self.value * factor, low), high), 1)
+        return round(min(max(value, low), high), digits)
+
+
+Setting = tuple[Unknown, float]
+"""An unknown and a value for it."""
+Move = tuple[Setting, ...]
+"""What is tried at once."""
+
+
+def find(open_: Sequence[Unknown], component: ComponentId, path: str) -> Unknown | None:
+    """The unknown of a component at a path, if that is open."""
+    return next((u for u in open_ if (u.component, u.path) == (component, path)), None)
+
+
+def component_of(who: str) -> ComponentId:
+    """The component of an actor of a requirement."""
+    return "E" if who == EGO else who
 
 
 def unknowns(structure: Structure, usual: Usual) -> tuple[Unknown, ...]:

@@ -5,9 +5,10 @@ A view of S as it stands, never stored: so an edit of S changes it. Nothing of t
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import Any, Literal
+from typing import Literal
 
 from c2s_engine.structure.components import ComponentId, Frozen, Structure, Unmet
+from c2s_engine.structure.leaves import value_at
 from c2s_engine.structure.specs import Spec
 
 Status = Literal["understood", "partly", "background", "not_expressible", "not_understood"]
@@ -115,13 +116,7 @@ def _clause(structure: Structure, span: Span) -> Clause:
 
 def is_set(spec: Spec, path: str) -> bool:
     """Whether a field of a spec says something: it is there, and neither empty nor no."""
-    value: Any = spec
-    for name in path.split("."):
-        if isinstance(value, tuple) and name.isdigit():
-            value = value[int(name)] if int(name) < len(value) else None
-        else:
-            value = getattr(value, name, None)
-    return value not in (None, (), "", False, "none")
+    return value_at(spec, path) not in (None, (), "", False, "none")
 
 
 def _inside(notes: Iterable[Unmet], span: Span) -> tuple[Unmet, ...]:

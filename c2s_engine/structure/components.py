@@ -5,6 +5,7 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from c2s_engine.structure.leaves import value_at
 from c2s_engine.structure.quantity import Quantity
 from c2s_engine.structure.specs import (
     AnySpec,
@@ -87,9 +88,7 @@ class Component(Frozen):
         for note in self.assumed:
             if note.field == path and note.amount is not None:
                 return note.amount
-        value: Any = self.spec
-        for name in path.split("."):
-            value = getattr(value, name, None)
+        value = value_at(self.spec, path)
         return value if isinstance(value, float | int | tuple) else None
 
 

@@ -19,13 +19,15 @@ from c2s_engine.structure.specs import (
     SettingsSpec,
     Trigger,
 )
-from c2s_engine.structure.triggers import JUDGED_HERE, NEW_PLACES, clause
+from c2s_engine.structure.triggers import clause, is_watched
 
 
 @cache
-def _words() -> dict[str, Any]:
+def table() -> dict[str, Any]:
+    """The words of the sentences."""
     text = resources.files("c2s_engine.data").joinpath("language", "sentences.yaml").read_text(encoding="utf-8")
-    return {**yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))}
+    words: dict[str, Any] = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+    return words
 
 
 def plurals(noun: str) -> list[str]:
@@ -89,7 +91,7 @@ def _named(name: str, names: dict[str, str]) -> str:
 
 
 def _phase(phase: Phase, names: dict[str, str], many: bool) -> str:
-    words = _words()["actions"][phase.action].format(target=_named(phase.target or "ego", names))
+    words = table()["actions"][phase.action].format(target=_named(phase.target or "ego", names))
     if phase.action == "brake" and phase.rate and low(phase.rate) >= 4:
         words += " hard"
     if phase.side and phase.action in ("lane_change", "swerve", "drift", "leave_road", "cut_out"):
@@ -98,10 +100,10 @@ def _phase(phase: Phase, names: dict[str, str], many: bool) -> str:
         words = f"begin to {words} and break off"
     words += "".join(f" {manner}" for manner in _manners(phase, names))
     trigger = phase.trigger
-    if trigger and (trigger.subject is not None or trigger.kind in JUDGED_HERE or trigger.place in NEW_PLACES):
+    if trigger and is_watched(trigger):
         words += f" when {_watched(trigger, names)}"
     elif trigger and trigger.value is not None:
-        pattern = _words()["triggers"].get(trigger.kind)
+        pattern = table()["triggers"].get(trigger.kind)
         words += " " + pattern.format(value=low(trigger.value), place=trigger.place) if pattern else ""
         words += f", and {low(trigger.delay):g} s later" if trigger.delay is not None else ""
     if phase.until:
@@ -116,7 +118,7 @@ def _watched(trigger: Trigger, names: dict[str, str]) -> str:
 
 def _manners(phase: Phase, names: dict[str, str]) -> list[str]:
     """How it does what it does: in words, at which gap, with which part, with how much room."""
-    said, target = _words(), _named(phase.target or "ego", names)
+    said, target = table(), _named(phase.target or "ego", names)
     values = {
         "pace": phase.pace and said["paces"][phase.pace],
         "gap": phase.gap is not None and _metres(phase.gap),
@@ -140,7 +142,7 @@ def obj(spec: ObjectSpec, names: dict[str, str] | None = None) -> str:
     """An object's sentence."""
     names, place, many = _names(names), spec.placement, spec.count > 1
     along = {"behind": "behind", "abreast": "abreast of"}.get(place.along or "", "ahead of")
-    where = _words()["positions"][place.position].format(
+    where = table()["positions"][place.position].format(
         of=_named(place.of, names), side=place.side or "right", along=along
     )
     noun = spec.type.replace("_", " ")
@@ -159,7 +161,7 @@ def obj(spec: ObjectSpec, names: dict[str, str] | None = None) -> str:
     if spec.speed is not None and high(spec.speed) > 0.1:
         text += f", at {km_h(spec.speed)}"
     elif spec.pace:
-        text += f", {_words()['paces'][spec.pace]}"
+        text += f", {table()['paces'][spec.pace]}"
     steps = _steps(spec.phases, names, many)
     return f"{text}; {'they' if many else 'it'} {steps}." if steps else f"{text}."
 
@@ -179,7 +181,7 @@ def ego(spec: EgoSpec, names: dict[str, str] | None = None) -> str:
         if spec.speed is not None and high(spec.speed) > 0.1
         else " stands at first"
         if spec.speed is not None
-        else f" drives {_words()['paces'][spec.pace]}"
+        else f" drives {table()['paces'][spec.pace]}"
         if spec.pace
         else " drives"
     )
@@ -187,7 +189,7 @@ def ego(spec: EgoSpec, names: dict[str, str] | None = None) -> str:
     if steps:
         text += f"; it {steps}"
     reaction = "brake_hard" if spec.reaction == "brake" and spec.hard else spec.reaction
-    words = _words()["reactions"].get(reaction)
+    words = table()["reactions"].get(reaction)
     if words:
         text += "; " + words.format(target=_named(spec.react_to, names) if spec.react_to else "the other")
     return text + "."
@@ -195,7 +197,7 @@ def ego(spec: EgoSpec, names: dict[str, str] | None = None) -> str:
 
 def place(spec: PlaceSpec) -> str:
     """The place's sentence."""
-    words = _words()
+    words = table()
     text = words["places"][spec.kind].capitalize()
     if spec.kind == "intersection":
         if spec.arms:
@@ -223,7 +225,7 @@ def place(spec: PlaceSpec) -> str:
 
 def settings(spec: SettingsSpec) -> str:
     """The settings' sentence."""
-    sky = " and ".join(_words()["weather"][w] for w in spec.weather or ("clear",))
+    sky = " and ".join(table()["weather"][w] for w in spec.weather or ("clear",))
     text = f"{sky.capitalize()}, {spec.time or 'day'}"
     text += f", map {spec.map}" if spec.map else ""
     text += f", ego's light {spec.light}" if spec.light else ""
@@ -240,14 +242,14 @@ def limit(spec: Limit, names: dict[str, str] | None = None) -> str:
     bounds = [f"at least {shown(spec.minimum)}"] if spec.minimum is not None else []
     bounds += [f"at most {shown(spec.maximum)}"] if spec.maximum is not None else []
     other = _named(spec.other, known) if spec.other else "anybody"
-    words = _words()["limits"][spec.kind].format(bounds=" and ".join(bounds), other=other)
+    words = table()["limits"][spec.kind].format(bounds=" and ".join(bounds), other=other)
     subject = _named(spec.subject, known)
     return f"{subject[0].upper()}{subject[1:]} {words}"
 
 
 def restrictions(spec: RestrictionsSpec, names: dict[str, str] | None = None) -> str:
     """The sentences on what holds all along, and on the run's end."""
-    words, known = _words()["ends"], _names(names)
+    words, known = table()["ends"], _names(names)
     kept = [f"{limit(one, names)}." for one in spec.limits]
     ends = []
     for c in spec.terminate_when:

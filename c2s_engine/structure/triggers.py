@@ -3,9 +3,14 @@
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.specs import Trigger
 
-NEW_PLACES = ("stop_line", "in_intersection", "past_intersection", "bend")
-JUDGED_HERE = ("apart", "passed", "speed", "light", "seen", "contact")
-"""Kinds of trigger that are judged here, whoever waits; the others where they are about another than who waits."""
+_KINDS = ("apart", "passed", "speed", "light", "seen", "contact")
+_PLACES = ("stop_line", "in_intersection", "past_intersection", "bend")
+
+
+def is_watched(t: Trigger, actor: str | None = None) -> bool:
+    """Whether a trigger reads the same whatever waits for it: it watches something else than the way of `actor`, who
+    waits, to whom it names. The others depend on what is done then."""
+    return t.kind in _KINDS or t.place in _PLACES or t.subject not in (None, actor)
 
 
 def clause(t: Trigger, one: str, other: str) -> str:

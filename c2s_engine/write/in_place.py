@@ -12,6 +12,7 @@ from pathlib import PurePath
 from typing import Any
 
 from c2s_engine.check.describe import table
+from c2s_engine.maps.expressions import MANOEUVRE_TYPE
 from c2s_engine.structure import names
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.specs import SettingsSpec
@@ -31,7 +32,7 @@ _WORDS: Mapping[str, Mapping[Any, tuple[str, ...]]] = {
     "placement.side": {"left": ("left",), "right": ("right",)},
     "placement.position": {"ahead": ("ahead", "of"), "behind": ("behind",), "left_lane": ("left", "of"),
                            "right_lane": ("right", "of")},
-    "manoeuvre": {"left": ("LEFT_TURN",), "right": ("RIGHT_TURN",), "straight": ("STRAIGHT",), "u_turn": ("U_TURN",)},
+    "manoeuvre": {way: (kind,) for way, kind in MANOEUVRE_TYPE.items()},
     "arms": {3: ("is3Way",), 4: ("is4Way",)},
 }  # fmt: skip
 _SHOWN = 48  # characters

@@ -65,7 +65,7 @@ def test_choices_touch_only_what_is_open_and_are_said(seed):
         low, high = unknown.limits
         assert LIMITS[unknown.path.rsplit(".", 1)[-1]] == (low, high)
         for factor in (0.6, 1.5):
-            value = unknown.moved(factor)
+            value = unknown.within(unknown.value * factor)
             assert low <= value <= high
             changed = chosen(structure, unknown, value)
             notes = [a for a in changed[unknown.component].assumed if a.by == PLANNER]

@@ -10,13 +10,12 @@ from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.structure.components import Component, Link, Structure
+from c2s_engine.structure.leaves import leaves
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
 from c2s_engine.structure.vocabulary import Action
 
 STATES = ("travel", "stationary", "keep_lane", "move_along", "go_straight")
 """Acts that a speed or a start says, too."""
-
-
 VALUES = ("speed", "distance", "time", "acceleration")
 """Dimensions of values that fields hold as they are told."""
 
@@ -91,13 +90,9 @@ def unheld(scene: Scene, structure: Structure) -> Iterator[tuple[int, int]]:
             yield span.start, span.end
 
 
-def _numbers(value: object) -> Iterator[float]:
+def _numbers(value: object) -> list[float]:
     """The numbers in plain data."""
-    if isinstance(value, dict | list | tuple):
-        for inner in value.values() if isinstance(value, dict) else value:
-            yield from _numbers(inner)
-    elif isinstance(value, int | float) and not isinstance(value, bool):
-        yield float(value)
+    return [float(n) for n in leaves(value) if isinstance(n, int | float) and not isinstance(n, bool)]
 
 
 def field_of(component: Component, act: str) -> str:

@@ -32,7 +32,7 @@ def indicative(clause: str, structure: Structure) -> str | None:
                 doing = "cross the road" if getattr(who.spec, "type", "") in PERSONS else "start"
                 return f"{begins['who']} will {doing} {begins['when']}"
             target = _called(first.target or "ego", structure)
-            action = language.table("sentences")["actions"][first.action].format(target=target)
+            action = describe.table()["actions"][first.action].format(target=target)
             return f"{begins['who']} will {action} {begins['when']}"
     if match := re.match(forms["adds"], said):
         rest = re.sub(forms["more"], "a", said[match.end() :])

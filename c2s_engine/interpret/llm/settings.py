@@ -17,8 +17,6 @@ ACCEPTED = 0.6
 
 BLUEPRINT = re.compile(r"[a-z]+(\.[a-z0-9_]+)+")
 TOWN = re.compile(r"Town\d\d(HD|_Opt)?")
-
-
 CHANGES_BY = {"place": "ego is value m before its stop line", "time": "value s after the start"}
 """By what a text tells when a light changes."""
 _CHANGES = re.compile(

@@ -5,11 +5,11 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import Any
 
-from c2s_engine.interpret.language import table
 from c2s_engine.interpret.llm import words
 from c2s_engine.interpret.llm.units import quantities
 from c2s_engine.structure import sentences as describe
 from c2s_engine.structure.components import ComponentId, Structure, Unmet
+from c2s_engine.structure.leaves import leaves
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.specs import AnySpec, Condition, EgoSpec, ObjectSpec, Phase, PlaceSpec, RestrictionsSpec
 
@@ -91,7 +91,7 @@ def _steps(phases: tuple[Phase, ...], names: Mapping[str, str]) -> Iterator[str]
 
 
 def _doing(action: str) -> str:
-    return table("sentences")["actions"][action].format(target="it")
+    return describe.table()["actions"][action].format(target="it")
 
 
 def _who(cid: str | None, names: Mapping[str, str]) -> str:
@@ -142,16 +142,9 @@ def _stems(text: str) -> set[str]:
 def _meanings(spec: AnySpec) -> str:
     """The vocabulary's meanings of the words that a spec has."""
     rows = words.vocabulary()
-    entries = [rows[s].get(w) for w in _strings(spec.model_dump()) for s in rows if isinstance(rows[s], dict)]
+    said = [w for w in leaves(spec.model_dump()) if isinstance(w, str)]
+    entries = [rows[s].get(w) for w in said for s in rows if isinstance(rows[s], dict)]
     return " ".join(str(e) for e in entries if e)
-
-
-def _strings(value: Any) -> Iterator[str]:
-    if isinstance(value, dict | list | tuple):
-        for item in value.values() if isinstance(value, dict) else value:
-            yield from _strings(item)
-    elif isinstance(value, str):
-        yield value
 
 
 def _numbers(value: Any) -> Iterator[tuple[float, float]]:

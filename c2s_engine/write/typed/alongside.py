@@ -1,10 +1,11 @@
 """Riders and vehicles side by side before a junction, of whom one turns across the other's way."""
 
+from c2s_engine.maps.expressions import MANOEUVRE_TYPE
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, TURN, WIDTH, is_static, is_vehicle
-from c2s_engine.write.typed.usual import turn_of
+from c2s_engine.write.typed.usual import slows_before, turn_of
 
 RIDERS = {"bicycle", "motorcycle"}
 BESIDE = {"beside", "left_lane", "right_lane", "behind", "roadside", "partly_in_lane"}
@@ -21,13 +22,12 @@ OVERTAKES = 3.0
 def offset(spec: ObjectSpec, ego: EgoSpec, place: PlaceSpec) -> float:
     """m to the left of ego's way at which one rides or drives beside it up to a turn of one of the two across the
     other's way; 0: it does not."""
-    at, own, egos = spec.placement, turn_of(spec.phases), {"left": "LEFT_TURN", "right": "RIGHT_TURN"}
+    at, own = spec.placement, turn_of(spec.phases)
     if place.kind not in ("road", "intersection") or at.of != "ego" or at.position not in BESIDE or is_static(spec):
         return 0.0
     if not is_vehicle(spec.type) or not RIDERS & {spec.type, ego.type} or at.facing == "against":
         return 0.0
-    turn = next((p.action for p in ego.phases if p.action in ("turn_left", "turn_right")), None)
-    ego_turn = egos.get(place.manoeuvre or (turn or "").removeprefix("turn_"), "STRAIGHT")
+    ego_turn = MANOEUVRE_TYPE[place.manoeuvre] if place.manoeuvre else turn_of(ego.phases)
     side = {"RIGHT_TURN": -1, "LEFT_TURN": 1}.get(ego_turn, 0) if own == "STRAIGHT" else 0
     if ego_turn == "STRAIGHT":
         side = {"RIGHT_TURN": 1, "LEFT_TURN": -1}.get(own, 0)
@@ -72,9 +72,8 @@ def _placed(component: Component, spec: ObjectSpec, ego: EgoSpec, aside: float) 
         changes["speed"] = round(middle(ego.speed) + OVERTAKES, 1)
     own = middle(changes.get("speed") or spec.speed or 0.0)  # type: ignore[arg-type]
     if own > TURNS_AT and turn_of(phases) != "STRAIGHT" and all(p.speed is None for p in phases):
-        at = Trigger(kind="place", place="intersection", value=round((own**2 - TURNS_AT**2) / 6, 1))
         phases = tuple(p.model_copy(update={"speed": TURNS_AT}) if p.action in TURN else p for p in phases)
-        phases = (Phase(action="brake", speed=TURNS_AT, trigger=at), *phases)
+        phases = (Phase(action="brake", speed=TURNS_AT, trigger=slows_before(own, TURNS_AT)), *phases)
     changes["phases"] = (*phases, *goes)
     return component.model_copy(update={"spec": spec.model_copy(update=changes)})
 
@@ -95,7 +94,5 @@ def other_ways(structure: Structure, place: PlaceSpec, lane_of: dict[str, int | 
         own = place.kind == "intersection" and lane == 0 and any(p.action in TURN for p in spec.phases)
         if own or offset(spec, ego, place):
             found.add(turn_of(spec.phases))
-    return tuple(sorted(found - {EGO_TURN.get(place.manoeuvre or "", "")}))
+    return tuple(sorted(found - {MANOEUVRE_TYPE.get(place.manoeuvre or "")}))
 
-
-EGO_TURN = {"left": "LEFT_TURN", "right": "RIGHT_TURN", "straight": "STRAIGHT", "u_turn": "U_TURN"}

@@ -10,20 +10,11 @@ from c2s_engine.write.typed.steps import AT_LINE, Step, steps
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, TURN
 from c2s_engine.write.typed.towards import its_turn
 from c2s_engine.write.typed.triggers import implicit, stated
-from c2s_engine.write.typed.usual import SETS_OUT
+from c2s_engine.write.typed.usual import SETS_OUT, SLOWS_DOWN, slows_before
 from c2s_engine.write.typed.watching import watched
 
 ONWARD = {"start", "wait", "yield", "go_straight", "turn_left", "turn_right", "accelerate", "collide"}
-ON_THE_WAY = {
-    "go_straight",
-    "turn_left",
-    "turn_right",
-    "run_red",
-    "run_stop",
-    "keep_lane",
-    "move_along",
-    "accelerate",
-}
+ON_THE_WAY = {"go_straight", "turn_left", "turn_right", "run_red", "run_stop", "keep_lane", "move_along", "accelerate"}
 """What the line over the junction, its lights and signs already say, or the speed at which it arrives."""
 ELSEWHERE = {*APPROACH_ANGLE, "behind", "oncoming_lane"}
 """Where those start who are no reason for ego to stop before the junction."""
@@ -33,8 +24,6 @@ SLOW = "5"
 """m/s at which somebody comes up to where it first stands."""
 AT_SIGN = {"run_stop", "stop", "yield", "wait", "stationary"}
 """What says itself what ego does at its stop sign."""
-SLOWS_DOWN = 3.0
-"""m/s2 at which one slows down for a turn."""
 QUEUED = 3.0
 """s for which one stands before the junction, so that those behind come to a stand, too."""
 
@@ -183,8 +172,7 @@ def phases_of(actor: Actor) -> list[Phase]:
     for i, phase in enumerate(phases):
         then = phases[i + 1] if i + 1 < len(phases) else None
         if phase.action == "brake" and phase.trigger is None and phase.speed and then and then.action in TURN:
-            metres = max(actor.value**2 - middle(phase.speed) ** 2, 0) / (2 * (middle(phase.rate or SLOWS_DOWN)))
-            at = Trigger(kind="place", place="intersection", value=round(max(metres, 0.5), 1))
+            at = slows_before(actor.value, middle(phase.speed), middle(phase.rate or SLOWS_DOWN))
             phases[i] = phase.model_copy(update={"trigger": at})
             continue
         if i == 0 and actor.is_ego and actor.value <= 0 and phase.action == "stop" and then is not None:

@@ -15,10 +15,9 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.reactions import reacting_phases
 from c2s_engine.write.typed.spread import spread
-from c2s_engine.write.typed.tables import BLUEPRINTS, HEIGHT, LENGTH, NOTE, is_static
+from c2s_engine.write.typed.tables import BLUEPRINTS, HEIGHT, LENGTH, NOTE, TIMED, is_static
 from c2s_engine.write.typed.threats import threatening
 from c2s_engine.write.typed.usual import crosses, default_gap, speed_of
-from c2s_engine.write.typed.usual_values import TIMED
 
 BY = "writer"
 

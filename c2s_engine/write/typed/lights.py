@@ -11,7 +11,9 @@ from c2s_engine.write.typed.watching import watched
 FOR_ALL = {"flashing", "dark"}
 """What all lights of a junction show at once."""
 HALTS = {"yellow", "red"}
+"""What one stops for."""
 ACROSS = {"crossing_left", "crossing_right"}
+"""Where those start who come to lights that show the opposite of ego's."""
 NO_LIGHTS = {"motorway", *RAMP}
 """Kinds of places where nobody comes to a light."""
 
@@ -83,8 +85,7 @@ def _changes(structure: Structure, plan: Plan, settings: SettingsSpec) -> list[s
         if change.when.delay is not None:
             lines += [
                 "    since = clock()",
-                f"    while clock() - since < "
-                f"{scope.quantity(change.when.delay)}:",
+                f"    while clock() - since < {scope.quantity(change.when.delay)}:",
                 *_set(structure, shows), "        wait",
             ]  # fmt: skip
         shows = change.to

@@ -16,6 +16,8 @@ WARY = 3.0
 """m/s: so much as if it came nearer faster one slows down sooner who has to wait first."""
 HEADWAY = 1.2
 """s behind whom one waits to overtake."""
+TOO_EARLY = -14
+"""m that one is ahead of whom it overtakes, bumper to bumper, when it comes back so early that they touch."""
 BREAKS_OFF = {"brake", "swerve", "collide", "stop", "leave_road", "lane_change"}
 """What ego does after an overtaking that somebody who comes towards it spoils."""
 
@@ -24,7 +26,7 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
     """The steps out, past the other (all of them where they are several) and back."""
     c.set(_top(c, p))
     scrapes = _scrapes(c, p)  # it comes back too early
-    past = " and ".join(f"lead_on(self, {one}) > {-14 if scrapes else _ahead(c, p)}" for one in _whom(c, p))
+    past = " and ".join(f"lead_on(self, {one}) > {TOO_EARLY if scrapes else _ahead(c, p)}" for one in _whom(c, p))
     if not (c.oncoming_both(p) or c.same_lane(p) and c.lane is not None):
         return [([c.drive()], f"until {past}")]
     if not c.oncoming_both(p) and leaves_lane(c.other(p.target)):  # it clears the way

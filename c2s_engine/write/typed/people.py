@@ -8,7 +8,7 @@ from c2s_engine.write.typed.meetings import way_of_ego
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import at_door, inside, way_out
 from c2s_engine.write.typed.tables import LANE_NAME, LENGTH, MOVES_OFF_ROAD, WIDTH, is_walker
-from c2s_engine.write.typed.threats import is_hit, observed
+from c2s_engine.write.typed.threats import is_hit
 from c2s_engine.write.typed.usual import crosses, pace_of, walks_first
 from c2s_engine.write.typed.watching import watched, watches
 
@@ -260,20 +260,13 @@ def _sets_out(
 ) -> str:
     """When somebody goes over to a phase: the stated trigger, or so that ego meets it on its way."""
     t = phase.trigger
-    if t and watches(t):
-        return watched(structure, plan, t, cid)
-    other = scope.reference(structure, t.of) if t and t.of else "ego"
-    value = scope.number(middle(t.value)) if t and t.value is not None else ""
-    if t and t.kind == "time":
-        return f"clock() >= {value or 2}"
-    if t and t.kind == "ttc" and value and other == "ego":
+    if t and t.kind == "ttc" and t.value is not None and not watches(t):  # of who stands until then
+        other, value = scope.reference(structure, t.of or "ego"), scope.number(middle(t.value))
+        if other != "ego":
+            return f"gap(self, {other}) < {value} * max({other}.speed, 3)"
         return f"seconds_to(ego, line, along_line(line, self.position)[0]) < {value}"
-    if t and t.kind == "distance" and value:
-        return f"gap(self, {other}) < {value}"
-    if t and t.kind == "ttc" and value:
-        return f"gap(self, {other}) < {value} * max({other}.speed, 3)"
-    if t and t.kind == "action":
-        return observed(structure, other, t.of or "ego", t.action)
+    if t and (watches(t) or t.kind in ("time", "action") or t.kind == "distance" and t.value is not None):
+        return watched(structure, plan, t, cid)
     if _ego_stays(structure, plan):
         return "clock() >= 2"
     gained = f", {scope.number(rate)}" if rate else ""

@@ -4,7 +4,6 @@ Pure: it looks at specs only. `make_plan` raises ResolveError, naming the fields
 """
 
 from dataclasses import replace
-from typing import Any
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import references
@@ -99,7 +98,8 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     return _with_room(structure, plan)
 
 
-def _seen_to_change(way: Quantity | None, place: PlaceSpec, changes: tuple[LightChange, ...], ahead: float) -> Any:
+def _seen_to_change(way: Quantity | None, place: PlaceSpec, changes: tuple[LightChange, ...],
+                    ahead: float) -> Quantity | None:  # fmt: skip
     """The way to the junction (m), where S leaves it open, with `BEFORE_CHANGE` s of `ahead` m each before ego is
     as near to the light as it is when that changes."""
     near = [middle(c.when.value or 0) for c in changes if c.when.kind == "place" and c.when.subject in (None, "ego")]

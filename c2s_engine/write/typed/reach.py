@@ -10,7 +10,7 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.stations import along
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static
+from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, TIMED, is_static
 from c2s_engine.write.typed.threats import beside_way
 from c2s_engine.write.typed.usual import LONGEST_VIEW, default_gap, speed_of
 
@@ -24,8 +24,6 @@ EVADED_AT = 4.0
 """s before ego would be there at which it begins to do something about that."""
 CALM = {"keep_lane", "move_along", "follow", "go_straight", "stationary", "wait"}
 """What goes on until a trigger comes true."""
-TIMED = {*APPROACH_ANGLE, "intersection_exit", "on_ramp"}
-"""Positions whose start follows from when they meet ego."""
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,6 @@ SHORTEST = 0.4
 """The least share of the wanted way to a junction; a map that has not even that may have it across another one."""
 PAST = 25.0
 """m from behind another to where the one that overtook it is well past."""
-LEVEL = {"beside": "abreast"}
 _BESIDE = {"partly_in_lane", "parked", "roadside", "sidewalk"}
 
 
@@ -173,7 +172,7 @@ def _junction_side(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
     behind = placement.along == "behind" and placement.position != "oncoming_lane"
     if placement.position not in ways or behind or at_corner(o, place):
         return 0
-    if "abreast" in (placement.along, LEVEL.get(placement.position)):
+    if placement.along == "abreast" or placement.position == "beside":
         return row_length(o) / 2
     gap = high(placement.gap) if placement.gap is not None else default_gap(o, ego_speed, place)
     return gap + 5 + row_length(o)

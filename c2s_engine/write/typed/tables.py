@@ -43,6 +43,8 @@ LANE_WIDTH = 3.5
 HALF_LANE = 1.7
 """m from the middle of a lane within which one is in it."""
 APPROACH_ANGLE = {"crossing_left": -90, "crossing_right": 90, "opposite_approach": 180, "circulating": -90}
+TIMED = {*APPROACH_ANGLE, "intersection_exit", "on_ramp"}
+"""Positions whose start follows from when they meet ego."""
 SIDE = {"crossing_left": "left", "crossing_right": "right", "opposite_approach": "opposite", "circulating": "ring"}
 APPROACH_NAME = {position: f"place.from_{side}" for position, side in SIDE.items()}
 LANE_NAME = {

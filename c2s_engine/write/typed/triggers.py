@@ -15,7 +15,6 @@ from c2s_engine.write.typed.threats import (
     IN_WAY,
     beside_way,
     is_stopped,
-    observed,
     on_foot,
     shown,
     standing,
@@ -23,7 +22,7 @@ from c2s_engine.write.typed.threats import (
 )
 from c2s_engine.write.typed.towards import before_standing, in_next_lane, opposite_standing
 from c2s_engine.write.typed.usual import crosses, speed_of
-from c2s_engine.write.typed.watching import watched, watches
+from c2s_engine.write.typed.watching import METRES, watched, watches
 
 CAN_STOP = 10
 """Twice the m/s2 at which one stops for a light that changes."""
@@ -42,29 +41,21 @@ def stated(course: Course, phase: Phase) -> str:
     """The condition that ends what comes before a phase with a trigger: `until ...` or `for ...`."""
     t = phase.trigger
     assert t is not None
-    if watches(t):
-        condition = watched(course.actor.structure, course.actor.plan, t, course.actor.cid)
-        if t.kind == "light" and phase.action == "stop" and (lane := course.actor.to_junction):  # if it still can
-            condition += f" and to_line(self, {lane}) > self.speed ** 2 / {CAN_STOP}"
-        return f"until {condition}"
-    other = course.actor.ref(t.of)
     value = middle(t.value) if t.value is not None else None
-    if value is None and t.kind == "distance":  # near: as soon as it has to
-        near = phase.model_copy(update={"trigger": None, "target": phase.target or t.of})
-        if found := implicit(course, near, first=False):
-            return found
-    if t.kind == "time":
-        at = (value or 0) + (middle(t.delay) if t.delay is not None else 0)
-        return f"until clock() >= {scope.number(at or 3)}"
-    if t.kind == "ttc":
-        return f"until ttc(self, {other}) < {scope.number(value or 3)}"
-    if t.kind == "place":
+    if not watches(t) and t.kind == "place":
         return _before_junction(course, value or 0, phase)
-    if t.kind == "action":
-        return f"until {observed(course.actor.structure, other, t.of or 'ego', t.action)}"
-    if phase.action == "cut_in" and course.value > course.target_speed(phase) + 0.3:  # once it is that far ahead
-        return f"until ahead_by(self, {other}) > {scope.number(value or 25)}"
-    return f"until gap(self, {other}) < {scope.number(value or 25)}"
+    if not watches(t) and t.kind == "distance":
+        near = phase.model_copy(update={"trigger": None, "target": phase.target or t.of})
+        if value is None and (found := implicit(course, near, first=False)):  # as soon as it has to
+            return found
+        if phase.action == "cut_in" and course.value > course.target_speed(phase) + 0.3:  # once it is that far ahead
+            return f"until ahead_by(self, {course.actor.ref(t.of)}) > {scope.number(value or METRES)}"
+    if t.kind == "time" and t.delay is not None:
+        t = t.model_copy(update={"value": (value or 0) + middle(t.delay)})
+    condition = watched(course.actor.structure, course.actor.plan, t, course.actor.cid)
+    if t.kind == "light" and phase.action == "stop" and (lane := course.actor.to_junction):  # if it still can
+        condition += f" and to_line(self, {lane}) > self.speed ** 2 / {CAN_STOP}"
+    return f"until {condition}"
 
 
 COMES_OVER = {

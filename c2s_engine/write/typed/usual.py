@@ -1,7 +1,7 @@
 """What is usual where the specs leave it open: how fast somebody starts, how far off, by which manoeuvre."""
 
 from c2s_engine.structure.quantity import high, low, middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
 from c2s_engine.write.typed.tables import (
     DEFAULT_SPEED,
     HEIGHT,
@@ -20,6 +20,8 @@ UNDISTURBED = 3.0
 """s for which everybody drives on before what nothing triggers."""
 SETS_OUT = 8.0
 """m/s at which somebody drives on that stood."""
+SLOWS_DOWN = 3.0
+"""m/s2 at which one slows down for a turn."""
 ROOM_BEHIND = 4.0
 """m that drivers keep behind who stands."""
 TO_PULL_OUT = 3.0
@@ -39,6 +41,12 @@ def turn_of(phases: tuple[Phase, ...], default: str = "STRAIGHT") -> str:
     return default
 
 
+def slows_before(speed: float, slower: float, rate: float = SLOWS_DOWN) -> Trigger:
+    """When one brakes from a speed so as to come to a junction at a slower one (m/s, m/s2)."""
+    metres = max(speed**2 - slower**2, 0.0) / (2 * rate)
+    return Trigger(kind="place", place="intersection", value=round(max(metres, 0.5), 1))
+
+
 def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[float, float]:
     """The initial speed of a road user, m/s: its own, that of its first phase, or the usual one of its kind there; of
     who is on foot or crosses, that at which it goes."""
@@ -50,13 +58,8 @@ def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[floa
         first = spec.phases[0]
         if first.action in ("stationary", "wait", "start", "enter_road", "reverse") and first.trigger is None:
             return 0.0
-        if first.speed is not None and first.action in (
-            "keep_lane",
-            "cross_road",
-            "move_along",
-            "follow",
-            "go_straight",
-        ):
+        steady = ("keep_lane", "cross_road", "move_along", "follow", "go_straight")
+        if first.speed is not None and first.action in steady:
             return first.speed
     kind = spec.type if spec.type in DEFAULT_SPEED else "car"
     usual = DEFAULT_SPEED[kind]

@@ -8,11 +8,8 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.spread import spread
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, is_static
+from c2s_engine.write.typed.tables import TIMED, is_static
 from c2s_engine.write.typed.usual import crosses, default_gap, speed_of
-
-TIMED = {*APPROACH_ANGLE, "intersection_exit", "on_ramp"}
-"""Positions whose start follows from when they meet ego."""
 
 
 @dataclass(frozen=True)

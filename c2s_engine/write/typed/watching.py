@@ -3,14 +3,12 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Trigger
+from c2s_engine.structure.triggers import is_watched
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME
 from c2s_engine.write.typed.threats import observed
 
-OF_OWN = {"distance", "ttc", "time", "place", "action"}
-"""Kinds that each behaviour words by its own way, where they are about whom it is of."""
-OF_OWN_PLACES = {None, "intersection", "merge_end"}
 METRES, SECONDS, SPEED = 25.0, 3.0, 5.0
 """m, s, m/s where no value is given."""
 SAME = 0.45
@@ -21,7 +19,7 @@ FLASHES = {"flashing": "yellow", "dark": "off"}
 
 def watches(t: Trigger) -> bool:
     """Whether a trigger is of those that are worded here."""
-    return t.subject is not None or t.kind not in OF_OWN or t.place not in OF_OWN_PLACES
+    return is_watched(t) or t.place == "crosswalk"
 
 
 def watched(structure: Structure, plan: Plan, t: Trigger, own: str, name: str = "self") -> str:

@@ -23,6 +23,7 @@ from c2s_engine.structure.requirements import Requirement, Result
 if TYPE_CHECKING:
     from c2s_engine.session.other_drivers import OtherDriver
     from c2s_engine.session.requiring import Judged
+    from c2s_engine.structure.offers import Offer
 
 RUNNER = "c2s_engine.dryrun.runner:run_scene"
 
@@ -286,6 +287,17 @@ class Engine:
         from c2s_engine.session.other_drivers import with_other_drivers
 
         return await with_other_drivers(structure, self.tools, map_name=map, room=room, seed=seed)
+
+    async def contradictions(
+        self, structure: Structure, *, map: str, room: float = 1.0, seed: int = 0
+    ) -> AsyncGenerator["Offer", None]:
+        """Where not all that S requires is shown: the numbers of the text that contradict one another, each with a
+        value that alone would do, as soon as it is found (some seconds each). Raises MapNotFound."""
+        from c2s_engine.session.contradictions import contradictions
+
+        async with aclosing(contradictions(structure, self.tools, map_name=map, room=room, seed=seed)) as found:
+            async for offer in found:
+                yield offer
 
     def gaps(self, ways: Trajectories) -> dict[str, list[float]]:
         """By each other's name, m between its box and ego's (bumper to bumper) at each step of a run."""

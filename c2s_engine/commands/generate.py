@@ -41,6 +41,10 @@ def generate(
     widen: Annotated[
         bool, typer.Option("--widen", help="Vary what is left open as far as 90 % of the scenes still hold.")
     ] = False,
+    contradictions: Annotated[
+        bool,
+        typer.Option("--contradictions", help="Where not all is shown, find which numbers of the text are the cause."),
+    ] = False,
     no_run: Annotated[bool, typer.Option("--no-run", help="Compile and sample, but do not run it.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
 ) -> None:
@@ -50,13 +54,14 @@ def generate(
         output, standalone = None, True
     with sentences(as_json):
         description = read_text(text, file)
-        if widen and no_run:
-            raise InputError("--widen needs runs to see what holds: leave --no-run out.")
+        for name, wanted in (("--widen", widen), ("--contradictions", contradictions)):
+            if wanted and no_run:
+                raise InputError(f"{name} needs runs to see what holds: leave --no-run out.")
         if output is not None and not output.parent.exists():
             raise InputError(f"There is no folder {output.parent}: make it, or save elsewhere.")
     options = {"method": method, "map": map_name, "seed": seed, "run": not no_run, "runs": runs, "improve": improve}
     options |= {"strict": strict, "widen": widen}
-    done: Finished = work(_generate(description, options, model, as_json), as_json)
+    done: Finished = work(_generate(description, options, model, as_json, contradictions), as_json)
     if output is not None and done.program.text:
         with sentences(as_json):
             from c2s_engine.saving import save
@@ -84,7 +89,9 @@ def exit_code(done: Finished) -> int:
     return OK if done.ok else REFUSED
 
 
-async def _generate(text: str, options: dict[str, Any], model: str | None, quiet: bool) -> Finished:
+async def _generate(
+    text: str, options: dict[str, Any], model: str | None, quiet: bool, contradictions: bool
+) -> Finished:
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
 
@@ -100,8 +107,21 @@ async def _generate(text: str, options: dict[str, Any], model: str | None, quiet
                 elif isinstance(event, Say) and not quiet:
                     err.print(Text(event.text, style={"warning": "yellow", "error": "red"}.get(event.severity, "")))
                 elif isinstance(event, Finished):
-                    return event
+                    if not contradictions:
+                        return event
+                    if status is not None:
+                        status.update("looking for what contradicts")
+                    return await with_contradictions(engine, event, options["seed"])
     raise RuntimeError("the turn ended without a result")
+
+
+async def with_contradictions(engine: Any, done: Finished, seed: int) -> Finished:
+    """A finished turn with what of its text contradicts itself, where its run did not show all that is required."""
+    failing, name = any(not r.holds for r in done.results), done.details.get("map")
+    if not failing or not name:
+        return done
+    found = engine.contradictions(done.structure, map=name, room=done.details.get("room", 1.0), seed=seed)
+    return done.model_copy(update={"details": {**done.details, "contradictions": [o async for o in found]}})
 
 
 class _quiet:
@@ -131,6 +151,7 @@ def as_dict(done: Finished) -> dict[str, Any]:
             for c in collisions(f, done.requirements)
         ],
         "measures": [m.model_dump(mode="json") for m in done.measures],
+        "contradictions": [o.model_dump(mode="json") for o in done.details.get("contradictions", ())],
         "requirements": show.required_as_dicts(done.requirements, done.results),
         "facts": [f.model_dump(mode="json") for f in done.facts],
         "map": done.details.get("map"),
@@ -156,3 +177,4 @@ def _report(done: Finished, to: Console) -> None:
     show.diagnostics(done.diagnostics, to)
     show.cost(done.details, to)
     show.outcome(done.structure, done.facts, done.requirements, done.results, done.measures, to)
+    show.contradictions(done.details, to)

@@ -14,7 +14,7 @@ from rich.text import Text
 
 from c2s_engine.commands import show
 from c2s_engine.commands.console import OK, InputError, dump, err, out, sentences
-from c2s_engine.commands.generate import exit_code
+from c2s_engine.commands.generate import exit_code, with_contradictions
 from c2s_engine.commands.reading import read_program
 from c2s_engine.commands.series import chosen_seeds, series
 from c2s_engine.structure.progress import Finished, Passage, Say
@@ -57,6 +57,10 @@ def edit(
     ] = None,
     seed: Annotated[int, typer.Option(help="The seed of the sampled scene.")] = 0,
     no_run: Annotated[bool, typer.Option("--no-run", help="Compile and sample, but do not run it.")] = False,
+    contradictions: Annotated[
+        bool,
+        typer.Option("--contradictions", help="Where not all is shown, find which numbers of the text are the cause."),
+    ] = False,
     seeds: Annotated[str | None, typer.Option(help="Then run it once with each of N seeds: 20, or 5-9.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
 ) -> None:
@@ -65,10 +69,13 @@ def edit(
         edits = edits_of(fields or [], remove or [], code or [])
         options = {"method": method, "seed": seed, "run": not no_run, "improve": improve}
         chosen = chosen_seeds(seeds, seed)
+        if contradictions and no_run:
+            raise InputError("--contradictions needs runs to see what holds: leave --no-run out.")
         text = read_program(program) if program else None
         if not (new or program):
             known(name)
-        session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume, to), options, model, as_json))
+        session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume, to), options, model, as_json,
+                                          contradictions))  # fmt: skip
         if output is not None:
             from c2s_engine.saving import save
 
@@ -77,6 +84,7 @@ def edit(
                 err.print(Text(f"saved {', '.join(map(str, written))}"))
         if not as_json:
             _print(session)
+            show.contradictions(done.details if done else {})
     code_of = OK if done is None else exit_code(done)
     found: dict[str, Any] = {}
     if chosen and code_of == OK:
@@ -188,6 +196,7 @@ async def _work(
     options: dict[str, Any],
     model: str | None,
     quiet: bool,
+    contradictions: bool,
 ) -> tuple[Any, Finished | None]:
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
@@ -197,7 +206,7 @@ async def _work(
     done: Finished | None = None
     engine = Engine(load_settings(model=model))
     async with contextlib.AsyncExitStack() as stack:
-        if program or say or edits or resume:  # looking, undoing and redoing need no check server
+        if program or say or edits or resume or contradictions:  # looking, undoing and redoing need no check server
             await stack.enter_async_context(engine)
         session = _sessions().open(name, engine)
         try:
@@ -218,6 +227,8 @@ async def _work(
                 done = await _take(session.say(say, **options), quiet)
             if edits:
                 done = await _take(session.apply(edits, **options), quiet)
+            if contradictions:
+                done = await with_contradictions(engine, done or state_of(session), options["seed"])
         finally:
             session.close()
     return session, done
@@ -239,7 +250,7 @@ async def _take(events: AsyncIterator[Any], quiet: bool) -> Finished | None:
 
 def state_of(session: Any) -> Finished:
     """A session as it stands, as the end of a turn."""
-    kept = {"folder": session.details.get("folder"), "map": session.details.get("map")}
+    kept = {k: session.details[k] for k in ("folder", "map", "room") if k in session.details}
     return Finished(
         ok=True, structure=session.structure, program=session.program, stages=session.stages, facts=session.facts,
         requirements=session.requirements, results=session.results, details=kept,

@@ -14,6 +14,7 @@ from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.facts import EventFact, RunFacts
 from c2s_engine.structure.happening import ended, told
 from c2s_engine.structure.measures import Measures, SeedResult, collisions
+from c2s_engine.structure.offers import verdict as contradicting
 from c2s_engine.structure.requirements import Requirement, Result, failures, tally
 
 
@@ -68,6 +69,12 @@ def outcome(
     if facts:
         _runs(facts, requirements, measures, bool(s.text), to)
         _required(requirements, results, unrecognised(s), to)
+
+
+def contradictions(details: Mapping[str, Any], to: Console = out) -> None:
+    """Which numbers of the text contradict one another, where that was looked for."""
+    if "contradictions" in details:
+        to.print(Text(contradicting(details["contradictions"]), style="yellow"))
 
 
 def _runs(

@@ -13,8 +13,8 @@ from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import Finished
 from c2s_engine.structure.requirements import Requirement, Result
 
-KEPT_DETAILS = ("map", "folder", "places", "passages")
-"""What saving the program and the status line need, and the passages of the last answer."""
+KEPT_DETAILS = ("map", "room", "folder", "places", "passages")
+"""What saving the program, other runs of it and the status line need, and the passages of the last answer."""
 
 
 class State(BaseModel):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from c2s_engine.solve.moves import Move, moves
-from c2s_engine.solve.unknowns import chosen, unknowns
+from c2s_engine.solve.unknowns import Field, chosen, unknowns
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.write.typed import ResolveError
@@ -48,14 +48,16 @@ Evaluate = Callable[[Structure], Awaitable[Outcome | None]]
 
 
 async def solve(first: Outcome, evaluate: Evaluate, room: float, *, most: int = MOST,
-                seconds: float = SECONDS) -> Outcome:  # fmt: skip
-    """The best outcome found: `first` where nothing is better. The same S gives the same search."""
+                seconds: float = SECONDS, freed: tuple[Field, ...] = ()) -> Outcome:  # fmt: skip
+    """The best outcome found: `first` where nothing is better. The same S gives the same search.
+
+    `freed`: fields that the text says and that may be changed nevertheless."""
     best, tried, until = first, 0, time.monotonic() + seconds
-    seen = {_open_values(first.structure, room)}
+    seen = {_open_values(first.structure, room, freed)}
     while best.failing and tried < most and time.monotonic() < until:
         better = None
-        for changed in _candidates(best, room):
-            key = _open_values(changed, room)
+        for changed in _candidates(best, room, freed):
+            key = _open_values(changed, room, freed)
             if key in seen or tried >= most or time.monotonic() >= until:
                 continue
             seen.add(key)
@@ -70,14 +72,14 @@ async def solve(first: Outcome, evaluate: Evaluate, room: float, *, most: int = 
     return best
 
 
-def _candidates(outcome: Outcome, room: float) -> Sequence[Structure]:
+def _candidates(outcome: Outcome, room: float, freed: tuple[Field, ...]) -> Sequence[Structure]:
     """What may be better than an S, the most promising first."""
     structure = outcome.structure
     try:
         usual = usual_values(structure, room)
     except ResolveError:
         return ()
-    open_ = unknowns(structure, usual)
+    open_ = unknowns(structure, usual, freed)
     return [_with(structure, move) for move in moves(structure, outcome.failing, open_, usual) if move]
 
 
@@ -87,10 +89,10 @@ def _with(structure: Structure, move: Move) -> Structure:
     return structure
 
 
-def _open_values(structure: Structure, room: float) -> tuple[tuple[str, str, float], ...]:
+def _open_values(structure: Structure, room: float, freed: tuple[Field, ...]) -> tuple[tuple[str, str, float], ...]:
     """What is chosen for all unknowns: what tells one candidate from another."""
     try:
         usual = usual_values(structure, room)
     except ResolveError:
         usual = Usual()
-    return tuple((u.component, u.path, u.value) for u in unknowns(structure, usual))
+    return tuple((u.component, u.path, u.value) for u in unknowns(structure, usual, freed))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from dataclasses import dataclass
 
 from c2s_engine.structure.components import Assumption, Component, ComponentId, Structure
@@ -65,13 +65,38 @@ def component_of(who: str) -> ComponentId:
     return "E" if who == EGO else who
 
 
-def unknowns(structure: Structure, usual: Usual) -> tuple[Unknown, ...]:
-    """What is open of the components that are written from S; `usual`: what the writer takes where S says nothing."""
+Field = tuple[ComponentId, str]
+"""A component and a path in its spec."""
+
+
+def unknowns(structure: Structure, usual: Usual, freed: Container[Field] = ()) -> tuple[Unknown, ...]:
+    """What is open of the components that are written from S, and what is to count as open though the text says it
+    (`freed`); `usual`: what the writer takes where S says nothing."""
     found: list[Unknown] = []
     for component in structure.components:
         if component.origin == "rendered":
-            found += _of(component, usual)
+            found += _of(component, usual, freed)
     return tuple(found)
+
+
+class Everything(Container[Field]):
+    """All fields."""
+
+    def __contains__(self, _: object) -> bool:
+        return True
+
+
+def said(structure: Structure, usual: Usual) -> tuple[Unknown, ...]:
+    """The numbers that the text says, of the fields that may be unknowns."""
+    open_ = {(u.component, u.path) for u in unknowns(structure, usual)}
+    found = (u for u in unknowns(structure, usual, Everything()) if (u.component, u.path) not in open_)
+    return tuple(u for u in found if not u.path.endswith("trigger") or _is_timed(structure, u))
+
+
+def _is_timed(structure: Structure, unknown: Unknown) -> bool:
+    """Whether a trigger is a time since the start, so that a time may stand in for it."""
+    trigger = structure[unknown.component].spec.phases[0].trigger  # type: ignore[union-attr]
+    return trigger is not None and trigger.kind == "time"
 
 
 def chosen(structure: Structure, unknown: Unknown, value: Quantity, reason: str = REASON) -> Structure:
@@ -89,12 +114,12 @@ def chosen(structure: Structure, unknown: Unknown, value: Quantity, reason: str 
     return retold(structure, changed)
 
 
-def _of(component: Component, usual: Usual) -> Iterator[Unknown]:
+def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator[Unknown]:
     spec, cid = component.spec, component.id
     assumed = {a.field for a in component.assumed}
 
     def is_open(path: str, value: object) -> bool:
-        return value is None or path in assumed
+        return value is None or path in assumed or (cid, path) in freed
 
     if isinstance(spec, EgoSpec | ObjectSpec):
         speed = usual.speeds.get(cid, 0.0)
@@ -106,7 +131,7 @@ def _of(component: Component, usual: Usual) -> Iterator[Unknown]:
             late = phase.action == "brake" and any(p.action == "collide" for p in spec.phases[i + 1 : i + 2])
             timed = cid in usual.later or by_place or late
             untimed = is_open(f"phases.{i}.trigger", phase.trigger) and not timed
-            yield from _of_phase(cid, i, phase, speed, untimed, assumed)
+            yield from _of_phase(cid, i, phase, speed, untimed, is_open)
     if isinstance(spec, ObjectSpec) and cid in usual.gaps and is_open("placement.gap", spec.placement.gap):
         yield Unknown(cid, "placement.gap", usual.gaps[cid])
     if isinstance(spec, ObjectSpec) and cid in usual.later and is_open("placement.later", spec.placement.later):
@@ -118,15 +143,15 @@ def _of(component: Component, usual: Usual) -> Iterator[Unknown]:
 
 
 def _of_phase(cid: ComponentId, i: int, phase: Phase, speed: float, untimed: bool,
-              assumed: set[str]) -> Iterator[Unknown]:  # fmt: skip
+              is_open: Callable[[str, object], bool]) -> Iterator[Unknown]:  # fmt: skip
     path = f"phases.{i}"
     moves = speed > 0 or phase.action in ("enter_road", "start")
     if i == 0 and untimed and moves and phase.action not in BY_OTHERS:
         value = middle(phase.trigger.value) if phase.trigger and phase.trigger.value is not None else 3.0
         yield Unknown(cid, f"{path}.trigger", value)
-    if i == 0 and phase.action == "wait" and untimed and (phase.duration is None or f"{path}.duration" in assumed):
+    if i == 0 and phase.action == "wait" and untimed and is_open(f"{path}.duration", phase.duration):
         yield Unknown(cid, f"{path}.duration", middle(phase.duration) if phase.duration is not None else STANDS_FOR)
-    if phase.action in ("brake", "stop") and (phase.rate is None or f"{path}.rate" in assumed):
+    if phase.action in ("brake", "stop") and is_open(f"{path}.rate", phase.rate):
         yield Unknown(cid, f"{path}.rate", middle(phase.rate) if phase.rate is not None else 3.5)
-    if phase.action in ("overtake", "accelerate") and (phase.speed is None or f"{path}.speed" in assumed):
+    if phase.action in ("overtake", "accelerate") and is_open(f"{path}.speed", phase.speed):
         yield Unknown(cid, f"{path}.speed", middle(phase.speed) if phase.speed is not None else max(speed, 5.0))

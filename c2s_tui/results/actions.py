@@ -6,6 +6,9 @@ from typing import Any
 
 from textual import work
 
+from c2s_engine.maps.library import SHIPPED
+from c2s_engine.structure.offers import Offer, verdict
+
 
 class Results:
     """Commands that concern what runs show."""
@@ -39,6 +42,42 @@ class Results:
             self.desk = replace(self.desk, gaps=gaps)
             self.results.show(self.desk)
 
+    async def do_contradictions(self: Any, argument: str) -> None:
+        """Say which numbers of the text contradict one another, where the run did not show all that is required."""
+        if not self.desk.results:
+            await self.chat.note("There is no run to judge yet: describe a scenario, or press F5.", "error")
+        elif all(r.holds for r in self.desk.results):
+            await self.chat.note("All that is required was shown: nothing contradicts.")
+        elif await self._may_begin():
+            self.find_contradictions()
+
+    @work(group="turn", exclusive=True, exit_on_error=False)
+    async def find_contradictions(self: Any) -> None:
+        """What is found so far is said when it is cancelled, too."""
+        found: list[Offer] = []
+        async with self._turn_lock:
+            structure, details = self.desk.structure, self.session.details
+            self.working = "looking for what contradicts"
+            self.show()
+            try:
+                offers = self.backend.events(
+                    lambda: self.backend.engine.contradictions(
+                        structure, map=details.get("map") or SHIPPED, room=details.get("room", 1.0)
+                    )
+                )
+                async with aclosing(offers) as events:
+                    async for offer in events:
+                        found.append(offer)
+                        self.working = f"looking for what contradicts: {len(found)} found"
+                        self.show_status()
+            except Exception as error:  # a check server that broke off: one sentence
+                await self.chat.note(self._sentence(error), "error")
+                return
+            finally:
+                self.working = ""
+                self.show()
+        await self.chat.note(verdict(found))
+
     async def do_seeds(self: Any, argument: str) -> None:
         """Run the program once with each of N seeds."""
         from c2s_engine.session.seeds import numbers
@@ -58,7 +97,7 @@ class Results:
     @work(group="turn", exclusive=True, exit_on_error=False)
     async def run_seeds(self: Any, chosen: list[int]) -> None:
         """A row of the table for each seed, as soon as its run is done; what was run stays when it is cancelled."""
-        from c2s_engine.session.seeds import verdict
+        from c2s_engine.session.seeds import verdict as of_series
 
         async with self._turn_lock:
             self.desk = replace(self.desk, seeds=(), planned=len(chosen))
@@ -83,4 +122,4 @@ class Results:
                 self.show()
         if self.desk.seeds:
             rows = self.desk.seeds
-            await self.chat.note(verdict(rows), "note" if all(r.passed for r in rows) else "warning")
+            await self.chat.note(of_series(rows), "note" if all(r.passed for r in rows) else "warning")

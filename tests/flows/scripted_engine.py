@@ -15,6 +15,7 @@ from c2s_engine.structure.diagnostics import Diagnostic, StageResult, TextEdit
 from c2s_engine.structure.edits import Replace, apply, references
 from c2s_engine.structure.facts import ContactFact, Course, EventFact, ObjectFacts, RunFacts, Track, Trajectories
 from c2s_engine.structure.measures import SeedResult
+from c2s_engine.structure.offers import Offer
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import (
     ComponentState,
@@ -256,6 +257,12 @@ class ScriptedEngine:
             missed = ("O1 (van) cuts in. Required: cut in; the run: nothing of it.",) if seed % 3 == 2 else ()
             yield SeedResult(seed=seed, ran=True, ended="time", duration=20.0, met=2 - len(missed), required=2,
                              unmet=missed, gap_m=4.2 + seed, ttc_s=2.5)  # fmt: skip
+
+    async def contradictions(self, structure: Structure, **options: Any) -> AsyncIterator[Offer]:
+        """Two numbers; at the gate it waits after the first."""
+        yield Offer(component="E", field="speed", said="50 km/h", value="70 km/h", amount=19.4)
+        await self._wait("contradictions")
+        yield Offer(component="O1", field="placement.gap", said="5 m", value="20 m", amount=20.0)
 
     def reach(self, structure: Structure, edit: Any) -> list[str]:
         return reach(structure, edit, Writer())

@@ -66,6 +66,22 @@ async def test_no_number_of_seeds_is_one_sentence(stage):
         assert stage.said[-1] == "A series has 1 to 500 seeds, not 0."
 
 
+async def test_what_contradicts_is_said_where_not_all_is_shown(stage):
+    async with stage.described() as pilot:
+        await stage.say(pilot, "/contradictions")
+        assert stage.said[-1] == "All that is required was shown: nothing contradicts."
+    stage.engine.collides = True
+    async with stage.described() as pilot:
+        await stage.say(pilot, "/contradictions")
+        await stage.until(pilot, lambda: "Any one of these would do" in stage.said[-1])
+        assert "E speed 50 km/h, O1 gap 5 m" in stage.said[-1]
+        stage.engine.gate, stage.engine.gated_at = asyncio.Event(), "contradictions"
+        await stage.say(pilot, "/contradictions", wait=False)
+        await stage.until(pilot, lambda: "1 found" in stage.bench.query_one("#status").content.plain)
+        await pilot.press("escape")
+        await stage.until(pilot, lambda: not stage.bench.busy)
+
+
 def test_a_plot_has_its_greatest_value_on_top_and_joins_its_dots():
     drawn = plot([Curve([0.0, 5.0, 10.0], "red")], 2.0, 26, 4, "m").plain.split("\n")
     assert drawn[0].startswith("   10 ") and drawn[-1].endswith("2.0 s")

@@ -86,11 +86,12 @@ def one_sentence(done, code):
         (["generate", "-f", "."], None, "folder"),
         (["generate", TEXT, "-o", "/nonexistent/dir/a.scenic"], None, "no folder"),
         (["generate", TEXT, "--widen", "--no-run"], None, "leave --no-run out"),
+        (["generate", TEXT, "--contradictions", "--no-run"], None, "leave --no-run out"),
         (["check", "/nonexistent.scenic"], None, "no file"),
         (["run", "."], None, "folder"),
     ],
-    ids=["empty", "nothing", "binary", "1 MB", "no file", "a folder", "no folder", "widen", "no program", "run a folder"
-         ],  # fmt: skip
+    ids=["empty", "nothing", "binary", "1 MB", "no file", "a folder", "no folder", "widen", "contradictions",
+         "no program", "run a folder"],  # fmt: skip
 )
 def test_bad_input_gets_one_sentence(arguments, stdin, says):
     assert says in one_sentence(c2s(*arguments, stdin=stdin), 2)

@@ -1,0 +1,85 @@
+"""The commands of the results pane: show it, run a series of seeds."""
+
+from contextlib import aclosing
+from dataclasses import replace
+from functools import partial
+
+from c2s_tui.part import Part, background, sentence
+
+
+class ResultsCommands(Part):
+    """Commands that concern what runs show."""
+
+    async def do_results(self, argument: str) -> None:
+        """Show the results of the run, or close them."""
+        if self.bench.results.has_class("-on"):
+            if self.bench.turns.busy and argument == "close":
+                await self.bench.turns.do_cancel("")
+                return
+            self.bench.results.remove_class("-on")
+            self.bench.query_one("#right").remove_class("-results")
+            self.bench.room.go_to("code")
+            return
+        self.bench.results.add_class("-on")
+        self.bench.query_one("#right").add_class("-results")
+        self.bench.room.go_to("results")
+        self.bench.call_after_refresh(self.bench.results.show, self.desk)
+        self.find_gaps()
+        idle = self.bench.session is not None and not self.bench.turns.busy
+        if idle and self.desk.program.text and not self.desk.trajectories:
+            self.bench.turns.run_again(told=False)
+
+    @background("gaps")
+    async def find_gaps(self) -> None:
+        """Have the gaps of the run worked out where the pane shows them."""
+        ways = next(iter(self.desk.trajectories), None)
+        if ways is None or self.desk.gaps or not self.bench.results.has_class("-on"):
+            return
+        gaps = await self.backend.do(lambda engine: engine.gaps(ways))
+        if next(iter(self.desk.trajectories), None) is ways:
+            self.desk = replace(self.desk, gaps=gaps)
+            self.bench.results.show(self.desk)
+
+    async def do_seeds(self, argument: str) -> None:
+        """Run the program once with each of N seeds."""
+        from c2s_engine.session.seeds import numbers
+
+        try:
+            chosen = numbers(argument or "20")
+        except ValueError as error:
+            await self.chat.note(str(error), "error")
+            return
+        if not self.desk.program.text:
+            await self.chat.note("There is no program yet: describe a scenario first.", "error")
+        elif await self.bench.turns.may_begin():
+            if not self.bench.results.has_class("-on"):
+                await self.do_results("")
+            self.run_seeds(chosen)
+
+    @background("turn")
+    async def run_seeds(self, chosen: list[int]) -> None:
+        """A row of the table for each seed, as soon as its run is done; what was run stays when it is cancelled."""
+        from c2s_engine.session.seeds import verdict
+
+        async with self.bench.turns.lock:
+            self.desk = replace(self.desk, seeds=(), planned=len(chosen))
+            structure, program = self.desk.structure, self.desk.program
+            folder = await self.backend.do(lambda _: self.backend.folder(program.text))
+            self.bench.turns.working = f"seed 1 of {len(chosen)}"
+            self.bench.show()
+            try:
+                runs = partial(self.backend.engine.seeds, structure, program, chosen, folder=folder)
+                async with aclosing(self.backend.events(runs)) as found:
+                    async for row in found:
+                        self.desk = replace(self.desk, seeds=(*self.desk.seeds, row))
+                        self.bench.turns.working = f"seed {len(self.desk.seeds) + 1} of {len(chosen)}"
+                        self.bench.show_status()
+                        self.bench.results.show(self.desk)
+            except Exception as error:  # a check server that broke off: one sentence
+                await self.chat.note(sentence(error), "error")
+            finally:
+                self.bench.turns.working = ""
+                self.bench.show()
+        if self.desk.seeds:
+            rows = self.desk.seeds
+            await self.chat.note(verdict(rows), "note" if all(r.passed for r in rows) else "warning")

@@ -1,7 +1,7 @@
 """Which pane is in front, zoom, and the row of keys."""
 
 from textual.widget import Widget
-from textual.widgets import Tabs
+from textual.widgets import Input, Tabs
 
 from c2s_tui.columns import STEP, Columns
 from c2s_tui.keys import KeyBar
@@ -34,6 +34,8 @@ class Room(Part):
             self.bench.query_one("#right").remove_class("-results")
         self.bench.query_one(Tabs).active = f"tab-{name}"
         inner: dict[str, Widget] = {"chat": self.chat.entry, "code": self.bench.code.area}
+        if lines := self.bench.sheet.query(Input):  # the field that is being edited
+            inner["sheet"] = lines.first()
         target = inner.get(name, self.pane(name))
         if self.bench.has_class("-narrow") or self.bench.query_one("#panes").has_class("-zoom"):
             self.app.stylesheet.update(self.bench.query_one("#panes"))  # what is still hidden cannot take the focus

@@ -35,7 +35,7 @@ async def take(target: Path) -> None:
             await bench.run_command("picture")
             await pilot.pause()
             bench.picture.go(35)
-            bench.visit("O1")
+            bench.room.visit("O1")
             await pilot.pause()
             app.clear_notifications()
             await pilot.pause()

@@ -6,13 +6,16 @@ from c2s_tui.part import Part
 class PictureCommands(Part):
     """Show the run from above, or close it."""
 
+    came_from = "sheet"  # the pane to which closing the picture goes back
+
     async def do_picture(self, _: str) -> None:
         """Show or hide the picture of the run."""
         if self.bench.picture.has_class("-on"):
             self.bench.picture.stop()
             self.bench.picture.remove_class("-on")
-            self.bench.room.go_to("sheet")
+            self.bench.room.go_to(self.came_from)
         elif self.bench.picture.available:
+            self.came_from = self.bench.room.pane_of_focus() or "sheet"
             self.bench.picture.add_class("-on")
             self.bench.room.go_to("picture")
             self.bench.call_after_refresh(self.bench.picture.show, self.desk)

@@ -11,6 +11,7 @@ from textual.widgets import Input, Static
 
 from c2s_engine.structure.edits import Edit, EditError, SetDescription, SetField
 from c2s_engine.structure.specs import AnySpec
+from c2s_tui.in_order import OrderedLine
 from c2s_tui.sheet.rows import SENTENCE, Row
 from c2s_tui.sheet.values import Field, head_name, parse
 
@@ -51,7 +52,7 @@ class FieldEditor(Vertical):
     def compose(self) -> ComposeResult:
         value = "" if self._appends else self.row.text
         choices = self._choices()
-        yield Input(
+        yield OrderedLine(
             value, compact=True, select_on_focus=False,
             suggester=SuggestFromList(choices, case_sensitive=False) if choices else None,
         )  # fmt: skip

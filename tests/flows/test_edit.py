@@ -258,3 +258,31 @@ def test_a_conflict_80x24(stage, compare):
         await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Conflict")
 
     assert compare(flow, size=(80, 24))
+
+
+async def test_keys_typed_at_once_change_a_field_in_their_order(stage):
+    async with stage.described() as pilot:
+        await stage.editing(pilot, "O1:name")
+        for key in ("home", "right", "q", "right", "backspace", "r", "end", "left", "x"):
+            stage.app.post_message(Key(key, key if len(key) == 1 else None))
+        await stage.until(pilot, lambda: stage.bench.sheet.editor.query_one("Input").value == "vqrxn")
+
+
+async def test_enter_after_a_key_to_another_pane_is_meant_for_that_pane(stage):
+    async with stage.described() as pilot:
+        await stage.to_row(pilot, "O1:name")
+        stage.bench.room.go_to("chat")
+        stage.bench.chat.entry.put("lo")
+        for key in ("f3", "enter"):
+            stage.app.post_message(Key(key, "\r" if key == "enter" else None))
+        await stage.until(pilot, lambda: stage.bench.sheet.editor is not None)
+        assert stage.bench.chat.entry.text == "lo" and len(stage.bench.session.history) == 1
+
+
+async def test_going_back_to_s_goes_on_in_the_field_that_is_open(stage):
+    async with stage.described() as pilot:
+        await stage.editing(pilot, "O1:name")
+        await pilot.press("f2")
+        await stage.until(pilot, lambda: stage.bench.chat.entry.has_focus)
+        await pilot.press("f3", "ctrl+u", "b")
+        await stage.until(pilot, lambda: stage.bench.sheet.editor.query_one("Input").value == "b")

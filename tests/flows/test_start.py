@@ -191,8 +191,8 @@ async def test_files_are_saved_and_changes_outside_noticed(stage, tmp_path: Path
         stage.bench.files.file_seen -= 1  # as if the clock had gone on
         told = []
         stage.app.notify = lambda text, **_: told.append(text)
-        stage.bench.watch_file()
-        stage.bench.watch_file()
+        stage.bench.files.watch_file()
+        stage.bench.files.watch_file()
         assert len(told) == 1 and "changed by another program" in told[0]
         await pilot.press("ctrl+s")
         await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Confirm")

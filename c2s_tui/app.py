@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from textual import work
 from textual.app import App, ComposeResult, SystemCommand
@@ -20,6 +20,10 @@ from c2s_tui import prefs as preferences
 from c2s_tui.line import end_soon
 from c2s_tui.look.kinds import ascii_only
 from c2s_tui.look.themes import DEFAULT, themes
+
+if TYPE_CHECKING:
+    from c2s_tui.backend import Backend
+    from c2s_tui.workbench import Workbench
 
 
 class C2SApp(App[None]):
@@ -33,7 +37,7 @@ class C2SApp(App[None]):
 
     def __init__(
         self,
-        backend: Any = None,
+        backend: "Backend | None" = None,
         session: str | None = None,
         file: Path | None = None,
         prefs: preferences.Prefs | None = None,
@@ -42,7 +46,7 @@ class C2SApp(App[None]):
         self.prefs = prefs or preferences.load()
         self.backend, self.session_name, self.file = backend, session, file
         self.typed_early: list[str] = []
-        self.workbench: Any = None
+        self.workbench: Workbench | None = None
         for theme in themes():
             self.register_theme(theme)
         wanted = self.prefs.theme if self.prefs.theme in self.available_themes else DEFAULT
@@ -67,7 +71,7 @@ class C2SApp(App[None]):
         if self.workbench is None and event.character and event.is_printable:
             self.typed_early.append(event.character)
 
-    @work(exit_on_error=False)
+    @work
     async def furnish(self) -> None:
         """Import the panes behind the first paint and put them up."""
         module = await asyncio.to_thread(import_module, "c2s_tui.workbench")
@@ -97,7 +101,7 @@ class C2SApp(App[None]):
         end_soon()
         try:
             if self.workbench is not None:
-                self.workbench.save_drafts(now=True)
+                self.workbench.drafts.save(now=True)
         except Exception as error:
             print(f"What was typed last could not be saved: {error}", file=sys.stderr)  # into the log
         self._loop_here.call_soon_threadsafe(self.exit)

@@ -2,18 +2,25 @@
 
 import asyncio
 import contextlib
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncGenerator, AsyncIterator, Awaitable, Callable
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from c2s_tui.engine_thread import EngineThread
 
+if TYPE_CHECKING:
+    from c2s_engine.check.protocol import CheckReport
+    from c2s_engine.session.session import Session
+    from c2s_engine.session.sessions import SessionInfo, Sessions
+    from c2s_engine.structure.program import Program
+    from c2s_tui.facade import EngineFacade
+
 CLOSE_SECONDS = 1.0
-EngineFactory = Callable[[], Any]
+T = TypeVar("T")
 
 
-def real_engine() -> Any:
+def real_engine() -> "EngineFacade":
     """The engine with the user's settings."""
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
@@ -24,12 +31,22 @@ def real_engine() -> Any:
 class Backend:
     """One engine, one folder of sessions, one open session at a time."""
 
-    def __init__(self, engine: EngineFactory = real_engine, folder: Path | None = None):
+    def __init__(self, engine: "Callable[[], EngineFacade]" = real_engine, folder: Path | None = None):
         self._make, self._folder = engine, folder
         self.thread = EngineThread()
-        self.engine: Any = None
-        self.sessions: Any = None
-        self.session: Any = None
+        self._engine: EngineFacade | None = None
+        self._sessions: Sessions | None = None
+        self.session: Session | None = None
+
+    @property
+    def engine(self) -> "EngineFacade":
+        assert self._engine is not None, "loaded first"
+        return self._engine
+
+    @property
+    def sessions(self) -> "Sessions":
+        assert self._sessions is not None, "loaded first"
+        return self._sessions
 
     async def load(self) -> None:
         """Import and make engine and sessions (nothing is started yet)."""
@@ -37,7 +54,7 @@ class Backend:
         def make() -> None:
             from c2s_engine.session.sessions import Sessions
 
-            self.engine, self.sessions = self._make(), Sessions(self._folder)
+            self._engine, self._sessions = self._make(), Sessions(self._folder)
 
         await self.thread.do(make)
 
@@ -50,10 +67,10 @@ class Backend:
 
         await self.thread.call(start)
 
-    async def open(self, name: str) -> Any:
+    async def open(self, name: str) -> "Session":
         """Open (or make) a session and close the one before; raises SessionError, and then the old one stays open."""
 
-        def change() -> Any:
+        def change() -> "Session":
             if self.session is not None and self.session.name == name:
                 return self.session
             opened = self.sessions.open(name, self.engine)
@@ -64,34 +81,31 @@ class Backend:
 
         return await self.thread.do(change)
 
-    def events(self, source: Callable[[], AsyncIterator[Any]]) -> AsyncIterator[Any]:
+    async def all_sessions(self) -> "list[SessionInfo]":
+        """The sessions, the one used last first."""
+        return await self.thread.do(self.sessions.list)
+
+    def events(self, source: Callable[[], AsyncIterator[T]]) -> AsyncGenerator[T, None]:
         """The events of a turn; closing the iterator cancels the turn."""
         return self.thread.stream(source)
 
-    async def ask(self, name: str, *arguments: Any, **options: Any) -> Any:
-        """Call a method of the engine, plain or async."""
+    async def ask(self, wanted: "Callable[[EngineFacade], Awaitable[T]]") -> T:
+        """What an async method of the engine answers."""
+        return await self.thread.call(lambda: wanted(self.engine))
 
-        async def run() -> Any:
-            answer = getattr(self.engine, name)(*arguments, **options)
-            return await answer if hasattr(answer, "__await__") else answer
-
-        return await self.thread.call(run)
+    async def do(self, wanted: "Callable[[EngineFacade], T]") -> T:
+        """What a plain method of the engine answers."""
+        return await self.thread.do(lambda: wanted(self.engine))
 
     async def warm(self, map: str) -> None:
         """Have a map read that the next turn is likely to use."""
-        if self.can("warm"):
-            await self.ask("warm", map)
-
-    def can(self, name: str) -> bool:
-        """Whether the engine offers a service."""
-        return hasattr(self.engine, name)
+        await self.ask(lambda engine: engine.warm(map))
 
     async def set_model(self, name: str) -> None:
         """Use that model for the methods that need one."""
 
         def change() -> None:
-            if settings := getattr(self.engine, "settings", None):
-                settings.model = name
+            self.engine.settings.model = name
 
         await self.thread.do(change)
 
@@ -99,7 +113,7 @@ class Backend:
         """The models at hand: name and a note with their size. Raises what the client raises (one sentence)."""
 
         async def ask() -> list[dict[str, Any]]:
-            async with self._client() as client:
+            async with self.engine.model_client() as client:
                 return await client.models()
 
         return [{**m, "note": _note(m)} for m in await self.thread.call(ask)]
@@ -108,35 +122,28 @@ class Backend:
         """Fetch a model: (what is done, bytes so far, bytes in all)."""
 
         async def steps() -> AsyncIterator[tuple[str, int, int]]:
-            async with self._client() as client:
+            async with self.engine.model_client() as client:
                 async for step in client.pull(name):
                     yield step
 
         async for step in self.thread.stream(steps):
             yield step
 
-    def _client(self) -> Any:
-        if hasattr(self.engine, "model_client"):
-            return self.engine.model_client()
-        from c2s_engine.models.client import OllamaClient
-
-        return OllamaClient()
-
     def folder(self, program: str) -> str | None:
         """The folder in which the map that a program names lies; None where it names none that is known."""
-        library = getattr(self.engine, "library", None)
+        library = self.engine.library
         try:
-            found = library.named_in(program) if library is not None else None
-            return str(library.working_copy(found).parent) if library is not None and found else None
+            found = library.named_in(program)
+            return str(library.working_copy(found).parent) if found else None
         except (LookupError, ValueError, OSError):
             return None
 
-    async def check(self, program: str, **options: Any) -> Any:
+    async def check(self, program: str, **options: Any) -> "CheckReport":
         """Check a program where its map is found."""
         folder = await self.thread.do(lambda: self.folder(program))
-        return await self.ask("check", program, folder=folder, **options)
+        return await self.ask(lambda engine: engine.check(program, folder=folder, **options))
 
-    def save(self, program: Any, folder: str | None, target: Path) -> list[Path]:
+    def save(self, program: "Program", folder: str | None, target: Path) -> list[Path]:
         """Write a program, its map beside it; raises OSError."""
         from c2s_engine.saving import save
 
@@ -148,9 +155,9 @@ class Backend:
         """
         if self.session is not None:
             await self.thread.do(self.session.close)
-        if self.sessions is not None:
-            await self.thread.do(self.sessions.close)
-        if self.engine is not None:
+        if self._sessions is not None:
+            await self.thread.do(self._sessions.close)
+        if self._engine is not None:
             with contextlib.suppress(TimeoutError):
                 await asyncio.wait_for(self.thread.call(self.engine.close), CLOSE_SECONDS)
         self.thread.stop()

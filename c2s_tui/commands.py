@@ -7,6 +7,9 @@ from pathlib import Path
 
 from textual.binding import Binding
 
+AT_ONCE = ("quit", "chat", "sheet", "code")
+"""Their keys are acted on before the keys that follow: what is typed next is meant for the pane that they go to."""
+
 
 @dataclass(frozen=True)
 class Command:
@@ -30,7 +33,7 @@ def commands() -> dict[str, Command]:
 def bindings() -> list[Binding]:
     """The keys of the commands, each with an id by which it can be remapped."""
     return [
-        Binding(c.key, f"command('{c.name}')", c.name, show=False, id=c.id, tooltip=c.about, priority=c.name == "quit")
+        Binding(c.key, f"command('{c.name}')", c.name, show=False, id=c.id, tooltip=c.about, priority=c.name in AT_ONCE)
         for c in commands().values()
         if c.key
     ]

@@ -1,8 +1,9 @@
 """What lies on the desk: everything the panes draw, as a pure fold over the engine's events."""
 
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from c2s_engine.check.protocol import CheckReport
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.facts import RunFacts, Trajectories
@@ -20,6 +21,11 @@ from c2s_engine.structure.progress import (
     Usage,
 )
 from c2s_engine.structure.requirements import Requirement, Result
+
+if TYPE_CHECKING:
+    from c2s_engine.session.requiring import Judged
+    from c2s_engine.session.session import Session
+    from c2s_engine.session.state import State
 
 MEASURED = ("facts", "trajectories", "requirements", "results", "measures")
 """What a run brings."""
@@ -147,17 +153,17 @@ def expected(desk: Desk, structure: Structure) -> Desk:
     return replace(desk, structure=structure, states=states)
 
 
-def restored(desk: Desk, session: Any) -> Desk:
+def restored(desk: Desk, session: "Session | State") -> Desk:
     """With the verdicts that a session kept."""
     names = ("stages", "facts", "requirements", "results", "measures")
     kept = {name: tuple(getattr(session, name, ())) for name in names}
     return replace(desk, **kept)  # type: ignore[arg-type]
 
 
-def checked(desk: Desk, report: Any, judged: Any = None) -> Desk:
+def checked(desk: Desk, report: CheckReport, judged: "Judged") -> Desk:
     """With what a check of the program as it stands has found, and what S requires with what was seen of it."""
-    found: dict[str, Any] = {n: getattr(judged, n, ()) for n in ("requirements", "results", "measures")}
     return replace(
-        desk, **found, gaps={}, stages=report.stages, facts=report.facts,
+        desk, requirements=judged.requirements, results=judged.results, measures=judged.measures, gaps={},
+        stages=report.stages, facts=report.facts,
         trajectories=report.trajectories, stale=False, running=None, seconds=sum(s.seconds for s in report.stages),
     )  # fmt: skip

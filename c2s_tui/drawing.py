@@ -1,6 +1,13 @@
 """When the panes are drawn: all at once, or soon and one after the other."""
 
-from typing import Any
+from typing import TYPE_CHECKING
+
+from c2s_tui.part import Part
+
+if TYPE_CHECKING:
+    from textual.timer import Timer
+
+    from c2s_tui.workbench import Workbench
 
 DRAW_SECONDS = 0.06
 """Events of a turn come in bursts; the panes are drawn once for those within this time."""
@@ -8,38 +15,44 @@ NEXT_SECONDS = 0.02
 """Between one pane and the next: a key typed meanwhile waits for one pane, not for all."""
 
 
-class Drawing:
-    """What of the desk the panes do not show yet. Mixed into the workbench, which has the panes and the desk."""
+class Drawing(Part):
+    """What of the desk the panes do not show yet."""
 
     DRAWN = ("sheet", "code", "picture", "results")
-    _stale: tuple[str, ...] = ()  # to be drawn, the next one first
-    _due: Any = None
 
-    def show(self: Any) -> None:
-        """Draw the desk everywhere, now."""
+    def __init__(self, bench: "Workbench"):
+        super().__init__(bench)
+        self._stale: tuple[str, ...] = ()  # to be drawn, the next one first
+        self.due: Timer | None = None
+
+    def all_now(self) -> None:
+        """Draw the desk everywhere."""
         self._stale = ()
-        self._show_words()
+        self._words()
         for name in self.DRAWN:
-            getattr(self, name).show(self.desk)
+            self._draw(name)
 
-    def show_soon(self: Any) -> None:
+    def soon(self) -> None:
         """Draw the desk in a moment, once for all that comes until then."""
         self._stale += tuple(name for name in self.DRAWN if name not in self._stale)
-        if self._due is None:
-            self._due = self.set_timer(DRAW_SECONDS, self._show_next)
+        if self.due is None:
+            self.due = self.bench.set_timer(DRAW_SECONDS, self._next)
 
-    def _show_next(self: Any) -> None:
-        self._due = None
+    def _next(self) -> None:
+        self.due = None
         if not self._stale:
             return
         name, *rest = self._stale
         self._stale = tuple(rest)
         if name == self.DRAWN[0]:
-            self._show_words()
-        getattr(self, name).show(self.desk)
+            self._words()
+        self._draw(name)
         if rest:
-            self._due = self.set_timer(NEXT_SECONDS, self._show_next)
+            self.due = self.bench.set_timer(NEXT_SECONDS, self._next)
 
-    def _show_words(self: Any) -> None:
-        self.chat.show(self.desk.structure, self.here)
-        self.show_status()
+    def _draw(self, name: str) -> None:
+        getattr(self.bench, name).show(self.desk)
+
+    def _words(self) -> None:
+        self.chat.show(self.desk.structure, self.bench.here)
+        self.bench.show_status()

@@ -3,7 +3,7 @@
 import asyncio
 import sys
 import threading
-from collections.abc import AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncGenerator, AsyncIterator, Awaitable, Callable
 from contextlib import aclosing
 from typing import Any, TypeVar
 
@@ -43,7 +43,7 @@ class EngineThread:
 
         return await asyncio.wrap_future(asyncio.run_coroutine_threadsafe(run(), self.loop))
 
-    async def stream(self, source: Callable[[], AsyncIterator[Any]]) -> AsyncIterator[Any]:
+    async def stream(self, source: Callable[[], AsyncIterator[T]]) -> AsyncGenerator[T, None]:
         """Iterate there, yield here. Closing this iterator closes the other, and returns once that is done."""
         here = asyncio.get_running_loop()
         queue: asyncio.Queue[Any] = asyncio.Queue()

@@ -2,9 +2,13 @@
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from c2s_engine.paths import shipped
+
+if TYPE_CHECKING:
+    from c2s_engine.session.sessions import Sessions
+    from c2s_engine.session.state import State
 
 
 def file() -> Path:
@@ -16,7 +20,7 @@ def lines() -> list[str]:
     return shipped("examples", "session.txt").read_text("utf-8").strip().splitlines()
 
 
-def state() -> Any:
+def state() -> "State":
     """Where the example stands, to be shown while it is being installed (that imports the database's side)."""
     from c2s_engine.session.state import State
 
@@ -24,7 +28,7 @@ def state() -> Any:
     return State.model_validate(turns[-1]["state"])
 
 
-def install(sessions: Any, name: str) -> str:
+def install(sessions: "Sessions", name: str) -> str:
     """The name of the example session, taken from its file where the user does not have it. Raises SessionError."""
     if any(info.name == name for info in sessions.list()):
         return name

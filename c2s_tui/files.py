@@ -1,4 +1,4 @@
-"""Programs as files: save, open, import, edit outside, notice changes (a mixin of the workbench)."""
+"""Programs as files: save, open, import, edit outside, notice changes."""
 
 import asyncio
 import os
@@ -8,25 +8,37 @@ import sys
 import tempfile
 from itertools import chain, count
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
-from textual import work
-
+from c2s_tui.part import Part, background, sentence
 from c2s_tui.screens.dialogs import Confirm
+
+if TYPE_CHECKING:
+    from c2s_tui.workbench import Workbench
 
 WATCH_SECONDS = 2.0
 
 
-class Files:
+class Files(Part):
     """Commands that read and write files."""
 
-    file: Path | None
+    def __init__(self, bench: "Workbench", file: Path | None):
+        super().__init__(bench)
+        self.file = file  # the one that was opened or saved last
+        self.file_seen: float | None = None  # when it was changed last, as far as is known (s since the epoch)
+        self.told_change: float | None = None
+        self.saved_text: str | None = None
 
-    async def do_save(self: Any, argument: str) -> None:
+    @property
+    def unsaved(self) -> Path | None:
+        """The file, where the program differs from what is in it."""
+        return self.file if self.saved_text is not None and self.bench.code.text != self.saved_text else None
+
+    async def do_save(self, argument: str) -> None:
         """Write the program (and its map beside it)."""
         target = Path(argument).expanduser() if argument else self.file
         if target is None:
-            self.chat.entry.put(f"/save {self.session.name if self.session else 'program'}.scenic")
+            self.chat.entry.put(f"/save {self.bench.session.name if self.bench.session else 'program'}.scenic")
             self.chat.entry.focus()
             return
         if target.suffix == "":
@@ -40,9 +52,9 @@ class Files:
             return
         await self.write(target)
 
-    async def write(self: Any, target: Path) -> None:
+    async def write(self, target: Path) -> None:
         """Write the text that the code pane shows, edits that are not applied included."""
-        program = self.desk.program.model_copy(update={"text": self.code.text})
+        program = self.desk.program.model_copy(update={"text": self.bench.code.text})
         try:
             written = await asyncio.to_thread(self.backend.save, program, self.desk.folder, target)
         except OSError as error:
@@ -52,16 +64,16 @@ class Files:
         self.saved_text = program.text
         await self.chat.note(f"Saved {', '.join(str(p) for p in written)}.")
 
-    async def _resolve_change(self: Any, answer: str | None, target: Path) -> None:
+    async def _resolve_change(self, answer: str | None, target: Path) -> None:
         if answer == "over":
             await self.write(target)
         elif answer == "reload":
             await self.import_file(target)
 
-    def _changed_outside(self: Any, target: Path) -> bool:
+    def _changed_outside(self, target: Path) -> bool:
         return target == self.file and self.file_seen is not None and _stamp(target) not in (None, self.file_seen)
 
-    def watch_file(self: Any) -> None:
+    def watch_file(self) -> None:
         """Called now and then: whether the opened file was changed by another program; told once."""
         if self.file is not None and self._changed_outside(self.file) and self.told_change != _stamp(self.file):
             self.told_change = _stamp(self.file)
@@ -70,19 +82,19 @@ class Files:
                 severity="warning", markup=False,
             )  # fmt: skip
 
-    async def do_open(self: Any, argument: str) -> None:
+    async def do_open(self, argument: str) -> None:
         if not argument:
-            self.offer_sessions()
+            self.bench.sessions.offer_sessions()
             return
         path = Path(argument).expanduser()
         if path.suffix == ".scenic" or path.is_file():
             await self.import_file(path)
         else:
-            self.open_session(argument)
+            self.bench.sessions.open_session(argument)
 
-    async def import_file(self: Any, path: Path) -> None:
+    async def import_file(self, path: Path) -> None:
         """Take a Scenic file into the session, in components."""
-        if not await self._may_begin():
+        if not await self.bench.turns.may_begin():
             return
         try:
             text = (await asyncio.to_thread(path.read_bytes)).decode()
@@ -91,47 +103,38 @@ class Files:
             return
         self.take_program(text, path)
 
-    @work(group="choices", exclusive=True, exit_on_error=False)
-    async def take_program(self: Any, text: str, path: Path) -> None:
+    @background("choices")
+    async def take_program(self, text: str, path: Path) -> None:
         """Decompose a program and make it a session's S: this one's where it is empty, else a new one's."""
         from c2s_engine.structure.edits import Replace
         from c2s_engine.structure.program import assemble
 
-        if not self.backend.can("import_program"):
-            await self.chat.note("This engine cannot import programs.", "error")
-            return
         try:
-            structure = await self.backend.ask("import_program", text)
+            structure = await self.backend.ask(lambda engine: engine.import_program(text))
         except (ValueError, OSError, RuntimeError) as error:
-            await self.chat.note(f"{path.name} could not be imported: {self._sentence(error)}", "error")
+            await self.chat.note(f"{path.name} could not be imported: {sentence(error)}", "error")
             return
         name, left = path.stem, self.session.name
-        if self.desk.program.text or self.code.edited:
-            taken = {s.name for s in await self.backend.thread.do(self.backend.sessions.list)}
-            await self.enter(next(n for n in chain([name], (f"{name}-{i}" for i in count(2))) if n not in taken))
+        if self.desk.program.text or self.bench.code.edited:
+            taken = {s.name for s in await self.backend.all_sessions()}
+            names = chain([name], (f"{name}-{i}" for i in count(2)))
+            await self.bench.sessions.enter(next(n for n in names if n not in taken))
             await self.chat.note(f"{path.name} was opened in a session of its own; /open {left} goes back.")
         self.file, self.file_seen = path, _stamp(path)
         self.saved_text = text
         if assemble(structure).text != text:
-            await self.chat.note(f"{path.name} is written in Scenic 2; you see it converted to Scenic 3.", "warning")
+            said = f"{path.name} is written in Scenic 2; you see it converted to Scenic 3."
+            await self.chat.note(said, "warning")
         await self.chat.note(f"Opened {path.name}.")
-        await self.make_edits((Replace(structure=structure),))
+        await self.bench.turns.make_edits((Replace(structure=structure),))
 
-    async def do_new(self: Any, argument: str) -> None:
-        from c2s_tui.start import fresh_name
-
-        taken = {s.name for s in await self.backend.thread.do(self.backend.sessions.list)}
-        self.open_session(argument or fresh_name(taken))
-
-    # Outside.
-
-    async def do_editor(self: Any, _: str) -> None:
+    async def do_editor(self, _: str) -> None:
         """The program in $EDITOR; what comes back is a hand edit."""
         editor = os.environ.get("VISUAL") or os.environ.get("EDITOR")
         if not editor:
             await self.chat.note("Set EDITOR (for example EDITOR=vim) to use your own editor.", "error")
             return
-        text = self.code.text
+        text = self.bench.code.text
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "program.scenic"
             file.write_bytes(text.encode())
@@ -139,13 +142,13 @@ class Files:
                 with self.app.suspend():
                     subprocess.run([*shlex.split(editor), str(file)], stdout=sys.__stdout__, stderr=sys.__stderr__)
             except Exception as error:
-                await self.chat.note(f"{editor} could not be run: {self._sentence(error)}", "error")
+                await self.chat.note(f"{editor} could not be run: {sentence(error)}", "error")
                 return
             changed = file.read_bytes().decode()
         self.app.refresh()
         if changed != text:
-            self.code.area.text = changed
-            self.code.commit()
+            self.bench.code.area.text = changed
+            self.bench.code.commit()
 
 
 def _stamp(path: Path) -> float | None:

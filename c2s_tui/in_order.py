@@ -5,7 +5,8 @@ up to the app: typed fast on a busy machine, a backspace would come after the le
 from typing import Any
 
 from textual.events import Key
-from textual.widgets import TextArea
+from textual.widget import Widget
+from textual.widgets import Input, TextArea
 
 from c2s_tui.commands import function_keys
 
@@ -19,14 +20,27 @@ class OrderedArea(TextArea):
             self._bindings.key_to_bindings.pop(key, None)
 
     async def _on_key(self, event: Key) -> None:
-        if event.key.startswith("alt+") and event.is_printable:
-            event.prevent_default()  # a key of the app, or of nobody: not the letter that comes with it
-            return
-        if not event.is_printable:
-            bound = self.screen.active_bindings.get(event.key)
-            if bound is not None and bound.node is self and bound.enabled:
-                event.stop()
-                event.prevent_default()
-                await self.app.run_action(bound.binding.action, self)
-                return
-        await super()._on_key(event)
+        if not await taken(self, event):
+            await super()._on_key(event)
+
+
+class OrderedLine(Input):
+    """An Input whose own bindings run where their key stands among the others."""
+
+    async def _on_key(self, event: Key) -> None:
+        if not await taken(self, event):
+            await super()._on_key(event)
+
+
+async def taken(widget: Widget, event: Key) -> bool:
+    """Do at once what a key is bound to in the widget that has the focus; whether there is nothing left to do."""
+    if event.key.startswith("alt+") and event.is_printable:
+        event.prevent_default()  # a key of the app, or of nobody: not the letter that comes with it
+        return True
+    bound = None if event.is_printable else widget.screen.active_bindings.get(event.key)
+    if bound is None or bound.node is not widget or not bound.enabled:
+        return False
+    event.stop()
+    event.prevent_default()
+    await widget.app.run_action(bound.binding.action, widget)
+    return True

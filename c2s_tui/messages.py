@@ -1,9 +1,10 @@
 """What the panes tell the workbench."""
 
 from collections.abc import Sequence
-from typing import Any
 
 from textual.message import Message
+
+from c2s_engine.structure.edits import Edit
 
 
 class Said(Message):
@@ -25,7 +26,7 @@ class Picked(Message):
 class EditsAsked(Message):
     """Edits of S, made in a pane."""
 
-    def __init__(self, edits: Sequence[Any]):
+    def __init__(self, edits: Sequence[Edit]):
         self.edits = tuple(edits)
         super().__init__()
 
@@ -33,7 +34,7 @@ class EditsAsked(Message):
 class ReachAsked(Message):
     """A pane wants to know what an edit would make dirty, before it is made."""
 
-    def __init__(self, edit: Any):
+    def __init__(self, edit: Edit):
         self.edit = edit
         super().__init__()
 

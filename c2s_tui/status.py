@@ -46,6 +46,8 @@ def line(desk: Desk, choice: Choice, working: str, width: int) -> Content:
             parts.append((f" {mark('rule')} ", "$faint"))
         parts.extend(pieces)
 
+    if working and width < 100:  # what is done now, in full
+        return Content.assemble((choice.method, "bold"), (f" {mark('rule')} ", "$faint"), _doing(working))
     if width >= 100 or not desk.collisions:
         add((choice.method, "bold"))
         add((f"map {choice.map or 'auto'}", "$muted"))
@@ -73,5 +75,9 @@ def line(desk: Desk, choice: Choice, working: str, width: int) -> Content:
     if required:
         add((f"{seen} of {required} requirements met", "$text-success" if seen == required else "$text-warning"))
     if working:
-        add((f"{working} (Esc cancels)", "bold $text-accent"))
+        add(_doing(working))
     return Content.assemble(*parts)
+
+
+def _doing(working: str) -> tuple[str, str]:
+    return f"{working} (Esc cancels)", "bold $text-accent"

@@ -1,18 +1,22 @@
-"""Turns and edits: one at a time, shown as they come, cancelled without a trace (a mixin of the workbench)."""
+"""Turns and edits: one at a time, shown as they come, cancelled without a trace."""
 
 import asyncio
 import re
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable, Sequence
 from contextlib import aclosing
+from functools import partial
 from time import monotonic
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from textual import work
-
-from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import EditError, SetDescription, apply
-from c2s_engine.structure.progress import Finished, StageStarted
+from c2s_engine.structure.components import ComponentId, Structure
+from c2s_engine.structure.edits import Edit, EditError, SetDescription, apply
+from c2s_engine.structure.progress import Finished, Progress, StageStarted
 from c2s_tui import desk as desks
+from c2s_tui.facade import EngineFacade
+from c2s_tui.part import Part, background, sentence
+
+if TYPE_CHECKING:
+    from c2s_tui.workbench import Workbench
 
 _BACK = re.compile(r"(?:please )?(undo|redo)(?: (?:it|that|this|the last (?:change|edit|turn)))?[.!]?")
 DOING = {"interpret": "reading", "resolve": "finding a place on the map", "write": "writing", "compile": "running",
@@ -22,27 +26,36 @@ LONG = 3000
 """Characters of a text from which on its size and the seconds it takes stand in the status line while it is read."""
 
 
-class Turns:
+class Turns(Part):
     """The work that is under way."""
 
+    def __init__(self, bench: "Workbench"):
+        super().__init__(bench)
+        self.working = ""  # what is being done, for the status line; empty where nothing is
+        self.since, self.long = 0.0, 0  # when the turn began (s), and the size of its text where that is long
+        self.lock = asyncio.Lock()
+        self.waiting: tuple[Edit, ...] = ()  # edits of the turn under way
+        self.then = ""  # a command to run when the turn under way is done
+
     @property
-    def busy(self: Any) -> bool:
+    def busy(self) -> bool:
         return bool(self.working)
 
-    def options(self: Any) -> dict[str, Any]:
+    def options(self) -> dict[str, Any]:
         """What the next turn is asked with."""
-        chosen = {"method": self.choice.method, "map": self.choice.map or None, "trajectories": True}
+        choice = self.bench.choices.choice
+        chosen = {"method": choice.method, "map": choice.map or None, "trajectories": True}
         return {name: value for name, value in chosen.items() if value is not None}
 
-    @work(group="turn", exclusive=True, exit_on_error=False)
-    async def turn(self: Any, source: Any, label: str) -> None:
+    @background("turn")
+    async def turn(self, source: Callable[[], AsyncIterator[Progress]], label: str) -> None:
         """Run a turn of the session and show its events; cancelling leaves S as it was."""
-        async with self._turn_lock:
+        async with self.lock:
             self.working, self.since = label, monotonic()
             self.desk = desks.begun(self.desk)
-            if self._waiting_edits:
-                self.desk = desks.expected(self.desk, self._optimistic(self._waiting_edits))
-            self.show()
+            if self.waiting:
+                self.desk = desks.expected(self.desk, self._optimistic(self.waiting))
+            self.bench.show()
             finished = False
             try:
                 async with aclosing(self.backend.events(source)) as events:
@@ -52,45 +65,46 @@ class Turns:
             except asyncio.CancelledError:
                 raise
             except Exception as error:  # the engine's public errors are sentences; anything else is reported too
-                await self.chat.note(self._sentence(error), "error")
+                await self.chat.note(sentence(error), "error")
             finally:
                 self.working = ""
                 if not finished:
-                    self.desk = desks.broken_off(self.desk, self.session.structure, self.session.program)
+                    now = self.session
+                    self.desk = desks.broken_off(self.desk, now.structure, now.program)
                 else:
-                    self._waiting_edits = ()
-                self.show()
+                    self.waiting = ()
+                self.bench.show()
                 await self.chat.end()
             if finished:
-                await self._summarise(label)
-                self.find_gaps()
-                self.offer_snippets(self.desk.structure)
+                await self.summarise(label)
+                self.bench.running.find_gaps()
+                self.bench.search.offer_snippets(self.desk.structure)
         then, self.then = self.then, ""
-        if finished and then and self.picture.available and not self.picture.has_class("-on"):
-            await self.run_command(then)
+        if finished and then and self.bench.picture.available and not self.bench.picture.has_class("-on"):
+            await self.bench.run_command(then)
 
-    async def _take(self: Any, event: Any) -> None:
+    async def _take(self, event: Progress) -> None:
         if isinstance(event, StageStarted):
             self.working = DOING.get(event.stage, self.working)
         self.desk = desks.step(self.desk, event)
         await self.chat.take(event)
         if event.type not in ("token", "say", "passage"):
-            self.show_soon()
+            self.bench.drawing.soon()
 
-    def _optimistic(self: Any, edits: tuple[Any, ...]) -> Structure:
+    def _optimistic(self, edits: Sequence[Edit]) -> Structure:
         structure = self.session.structure
         for edit in edits:
             structure = apply(structure, edit)
         return structure
 
-    async def _summarise(self: Any, label: str = "") -> None:
+    async def summarise(self, label: str = "") -> None:
         from c2s_tui.summary import summary
 
         text, kind = summary(self.desk, self._gone_back(label))
         if text:
             await self.chat.note(text, kind)
 
-    def _gone_back(self: Any, label: str) -> str:
+    def _gone_back(self, label: str) -> str:
         """Where in the session's history a turn of that label led, in words; empty for one that did something new."""
         if label == "undo":
             return f"undone: {self.session.undone[0].text}"
@@ -99,26 +113,21 @@ class Turns:
             return f"{'done again' if label == 'redo' else 'back to'}: {here[-1].text if here else 'the start'}"
         return ""
 
-    @staticmethod
-    def _sentence(error: Exception) -> str:
-        text = str(error).strip() or type(error).__name__
-        return text.splitlines()[0]
-
-    async def say(self: Any, text: str) -> None:
+    async def say(self, text: str) -> None:
         """A turn of the chat."""
         if wish := _BACK.fullmatch(text.strip().lower()):
-            await self.run_command(wish[1])
+            await self.bench.run_command(wish[1])
             return
-        if not await self._may_begin():
+        if not await self.may_begin():
             self.chat.entry.put(text)
             return
         await self.chat.user(text)
-        options, hand = self.options(), self.code.hand_edit
+        options, hand = self.options(), self.bench.code.hand_edit
         self.long = len(text) if len(text) > LONG else 0
-        self._waiting_edits = ()
+        self.waiting = ()
         self.turn(lambda: self._after(hand, self.session.say(text, **options)), "reading")
 
-    async def _after(self: Any, hand: tuple[Any, ...], events: AsyncIterator[Any]) -> AsyncIterator[Any]:
+    async def _after(self, hand: Sequence[Edit], events: AsyncIterator[Progress]) -> AsyncIterator[Progress]:
         """The events of a turn, after those of applying what was typed in the code: the turn is about that."""
         steps = [self.session.apply(hand, **{**self.options(), "run": False})] if hand else []
         for step in [*steps, events]:
@@ -126,8 +135,8 @@ class Turns:
                 async for event in found:
                     yield event
 
-    async def _may_begin(self: Any) -> bool:
-        if self.session is None:
+    async def may_begin(self) -> bool:
+        if self.bench.session is None:
             self.app.notify("The session is still being opened.", markup=False)
             return False
         if self.busy:
@@ -135,39 +144,112 @@ class Turns:
             return False
         return True
 
-    async def make_edits(self: Any, edits: tuple[Any, ...]) -> None:
+    async def make_edits(self, edits: Sequence[Edit]) -> None:
         """Edits of S, after what was typed in the code; those of an edit turn that still runs are taken along, for its
         check is stale now."""
-        edits = (*self.code.hand_edit, *edits)
+        edits = (*self.bench.code.hand_edit, *edits)
         if not edits:
             return
-        if self.session is None or (self.busy and not self._waiting_edits):
-            await self._may_begin()
+        if self.bench.session is None or (self.busy and not self.waiting):
+            await self.may_begin()
             return
-        together = (*self._waiting_edits, *edits)
+        together = (*self.waiting, *edits)
         try:
             self._optimistic(together)
         except EditError as error:
-            if not self.sheet.refuse(str(error)):
+            if not self.bench.sheet.refuse(str(error)):
                 self.app.notify(str(error), title="Not possible", severity="error", markup=False)
             return
-        await self.sheet.close_editor() if self.sheet.editor else None
-        self._waiting_edits = together
+        await self.bench.sheet.close_editor() if self.bench.sheet.editor else None
+        self.waiting = together
         options = self.options()
         self.turn(lambda: self.session.apply(together, **options), "writing")
 
-    @work(group="reach", exclusive=True, exit_on_error=False)
-    async def reach(self: Any, edit: Any) -> None:
+    @background("reach")
+    async def reach(self, edit: Edit) -> None:
         """Show what an edit would rewrite, before it is made."""
-        structure, reached = self.desk.structure, set()
+        structure, reached = self.desk.structure, set[ComponentId]()
         try:
             edits = [edit]
-            if isinstance(edit, SetDescription) and self.backend.can("reworded"):
-                edits, _ = await self.backend.ask("reworded", structure, edits)
+            if isinstance(edit, SetDescription):
+                edits, _ = await self.backend.ask(lambda engine: engine.reworded(self.desk.structure, [edit]))
             for one in edits:
-                reached |= set(await self.backend.ask("reach", structure, one))
+                reached |= set(await self.backend.do(partial(_reach, structure, one)))
                 structure = apply(structure, one)
         except (ValueError, LookupError, OSError):
-            reached = set()
-        if self.sheet.editor:
-            self.sheet.show_reach(frozenset(reached))
+            reached.clear()
+        if self.bench.sheet.editor:
+            self.bench.sheet.show_reach(frozenset(reached))
+
+    @background("turn")
+    async def run_again(self, then: str = "", told: bool = True) -> None:
+        """Check and run the program as it stands; S and history stay. `then` names a command to run after it; `told`:
+        whether the chat says how it went."""
+        async with self.lock:
+            self.working = "running"
+            self.bench.show_status()
+            program = self.desk.program
+            try:
+                report = await self.backend.check(
+                    program.text, spans=program.spans, upto="run", trajectories=True
+                )
+                judged = await self.backend.ask(lambda engine: engine.judge(self.desk.structure, report))
+                self.desk = desks.checked(self.desk, report, judged)
+            except Exception as error:
+                await self.chat.note(sentence(error), "error")
+            finally:
+                self.working = ""
+                self.bench.show()
+        if told:
+            await self.summarise()
+        self.bench.running.find_gaps()
+        if then and self.bench.picture.available:
+            await self.bench.run_command(then)
+
+    async def do_run(self, _: str) -> None:
+        """Apply hand edits; without any, check and run what stands."""
+        if not self.bench.code.commit() and await self.may_begin():
+            self.run_again()
+
+    async def do_regenerate(self, argument: str) -> None:
+        if not await self.may_begin():
+            return
+        chosen = tuple(argument.replace(",", " ").split())
+        unknown = [c for c in chosen if c not in self.desk.structure]
+        if unknown:
+            await self.chat.note(f"There is no component {', '.join(unknown)}.", "error")
+            return
+        options = self.options()
+        self.turn(lambda: self.session.regenerate(chosen, **options), "writing")
+
+    async def do_undo(self, _: str) -> None:
+        await self._back("undo")
+
+    async def do_redo(self, _: str) -> None:
+        await self._back("redo")
+
+    async def _back(self, which: str) -> None:
+        if not await self.may_begin():
+            return
+        if not getattr(self.session, f"can_{which}"):
+            self.app.notify(f"There is nothing to {which}.", markup=False)
+            return
+        self.turn(lambda: getattr(self.session, which)(), which)
+
+    async def do_resume(self, _: str) -> None:
+        if await self.may_begin():
+            if self.session.pending is None:
+                await self.chat.note("No turn was interrupted.", "note")
+                return
+            self.turn(lambda: self.session.resume(), "resuming")
+
+    async def do_cancel(self, _: str) -> None:
+        """Cancel what runs; S is as before the turn, what is typed stays."""
+        if self.busy:
+            self.waiting = ()
+            self.bench.workers.cancel_group(self.bench, "turn")
+            await self.chat.note("Cancelled; nothing was changed.", "note")
+
+
+def _reach(structure: Structure, edit: Edit, engine: EngineFacade) -> list[ComponentId]:
+    return engine.reach(structure, edit)

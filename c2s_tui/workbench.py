@@ -1,71 +1,93 @@
 """The workbench: three panes kept in step, one state beneath them, one turn at a time."""
 
-import asyncio
+import sys
+import traceback
+from collections.abc import Awaitable, Callable
+from difflib import get_close_matches
 from pathlib import Path
 from time import monotonic
-from typing import Any
+from typing import TYPE_CHECKING, cast
 
-from textual import on, work
+from textual import on
 from textual.app import ComposeResult
-from textual.containers import Horizontal, Vertical
+from textual.containers import Vertical
 from textual.screen import Screen
 from textual.widgets import Tab, Tabs
+from textual.worker import Worker, WorkerState
 
 from c2s_tui import desk as desks
-from c2s_tui.actions import Actions
 from c2s_tui.chat.entry import Entry
 from c2s_tui.chat.pane import ChatPane
+from c2s_tui.choices import Choices
+from c2s_tui.code.commands import CodeCommands
+from c2s_tui.code.live import LiveCheck
 from c2s_tui.code.pane import CodePane
-from c2s_tui.commands import bindings, split
+from c2s_tui.columns import Columns
+from c2s_tui.commands import bindings, commands, split
 from c2s_tui.desk import Desk
+from c2s_tui.drafts import Drafts
 from c2s_tui.drawing import Drawing
-from c2s_tui.files import WATCH_SECONDS
+from c2s_tui.files import WATCH_SECONDS, Files
 from c2s_tui.keys import KeyBar
-from c2s_tui.layout import TABS
+from c2s_tui.leaving import Leaving
 from c2s_tui.messages import CodeTyped, CommandAsked, EditsAsked, Picked, ReachAsked, Said
 from c2s_tui.palette import Palette
+from c2s_tui.part import sentence
+from c2s_tui.past import Past
+from c2s_tui.picture.commands import PictureCommands
 from c2s_tui.picture.pane import PicturePane
+from c2s_tui.results.commands import ResultsCommands
 from c2s_tui.results.pane import ResultsPane
+from c2s_tui.room import TABS, Room
+from c2s_tui.screens.commands import ScreenCommands
+from c2s_tui.search import Search
+from c2s_tui.sessions import Sessions
+from c2s_tui.settings import Settings
 from c2s_tui.sheet.pane import SheetPane
+from c2s_tui.start import Start
 from c2s_tui.status import Choice, StatusBar
+from c2s_tui.turns import Turns
+
+if TYPE_CHECKING:
+    from c2s_engine.session.session import Session
+    from c2s_tui.app import C2SApp
+    from c2s_tui.backend import Backend
 
 DRAFT_SECONDS = 1.0
-LIVE_SECONDS = 0.4
-"""How long typing in the code must rest before the text is checked."""
 
 
-class Workbench(Actions, Drawing, Screen):
-    """Owns the desk; panes show it and post what they want."""
+class Workbench(Screen):
+    """Owns the desk and the parts; panes show the desk and post what they want, parts do it."""
 
     BINDINGS = [*bindings()]
     COMMANDS = {Palette}
 
-    def __init__(self, backend: Any, session: str | None, file: Path | None):
+    def __init__(self, backend: "Backend", session: str | None, file: Path | None):
         super().__init__()
-        self.backend, self.wanted = backend, session
-        self.file: Path | None = file
-        self.session: Any = None
+        self.backend = backend
+        self.session: Session | None = None
         self.desk = Desk()
         self.here: str | None = None  # the component that the cursor of a pane came onto last
-        self.choice = Choice()
-        self.working = ""
-        self.since, self.long = 0.0, 0  # when the turn began (s), and the size of its text where that is long
-        self.ready = False
-        self.recovered = False  # the session's drafts are in the panes again
-        self._turn_lock = asyncio.Lock()
-        self._waiting_edits: tuple[Any, ...] = ()
-        self._typed: set[str] = set()
-        self.offered: set[tuple[str, str]] = set()  # (component, words) whose snippets were shown
-        self._live: Any = None
-        self.then = ""  # a command to run when the turn under way is done
-        self.mouse_free = False  # the terminal has it
-        self.file_seen: float | None = None
-        self.told_change: float | None = None
-        self.saved_text: str | None = None
+        self.faults: list[BaseException] = []  # of the app's own
+        self.drawing = Drawing(self)
+        self.turns, self.room = Turns(self), Room(self)
+        self.start, self.sessions = Start(self, session), Sessions(self)
+        self.drafts, self.files, self.past, self.leaving = Drafts(self), Files(self, file), Past(self), Leaving(self)
+        self.choices, self.settings = Choices(self), Settings(self)
+        self.search, self.screens = Search(self), ScreenCommands(self)
+        self.coding, self.live = CodeCommands(self), LiveCheck(self)
+        self.showing, self.running = PictureCommands(self), ResultsCommands(self)
+        parts = (
+            self.turns, self.room, self.start, self.sessions, self.files, self.past, self.leaving, self.choices,
+            self.settings, self.search, self.screens, self.coding, self.showing, self.running,
+        )  # fmt: skip
+        self.does: dict[str, Callable[[str], Awaitable[None]]] = {
+            name: getattr(part, f"do_{name}") for name in commands() for part in parts if hasattr(part, f"do_{name}")
+        }
 
     def compose(self) -> ComposeResult:
         yield Tabs(*(Tab(title, id=f"tab-{name}") for name, title in TABS.items()), id="tabs")
-        with Horizontal(id="panes"):
+        with Columns(id="panes"):
             yield ChatPane(id="chat", classes="pane -current")
             yield SheetPane(id="sheet", classes="pane")
             with Vertical(id="right"):
@@ -75,7 +97,7 @@ class Workbench(Actions, Drawing, Screen):
         yield StatusBar(id="status")
         yield KeyBar(id="keys")
 
-    # Parts.
+    # Panes.
 
     @property
     def chat(self) -> ChatPane:
@@ -100,39 +122,76 @@ class Workbench(Actions, Drawing, Screen):
     # Beginning.
 
     def on_mount(self) -> None:
-        prefs = self.app.prefs  # type: ignore[attr-defined]
-        self.choice = Choice(method=prefs.method or "embedded", model=prefs.model, map=prefs.map)
-        early = "".join(self.app.typed_early)  # type: ignore[attr-defined]
-        self.chat.entry.put(early)
+        app = cast("C2SApp", self.app)
+        prefs = app.prefs
+        self.choices.choice = Choice(method=prefs.method or "embedded", model=prefs.model, map=prefs.map)
+        self.chat.entry.put("".join(app.typed_early))
         self.chat.entry.focus()
         if prefs.widths:
-            self.lay_columns()
+            self.query_one(Columns).lay()
         self.show()
-        self.call_after_refresh(self.begin)  # the engine is imported behind the panes' first frame
-        self.set_interval(DRAFT_SECONDS, self.save_drafts)
-        self.set_interval(WATCH_SECONDS, self.watch_file)
+        self.call_after_refresh(self.start.begin)  # the engine is imported behind the panes' first frame
+        self.set_interval(DRAFT_SECONDS, self.drafts.save)
+        self.set_interval(WATCH_SECONDS, self.files.watch_file)
         self.set_interval(1.0, self._tick)
 
-    def show_status(self) -> None:
-        working = self.working
-        if working == "reading" and self.long:
-            working = f"reading {self.long / 1000:.0f} kB, {monotonic() - self.since:.0f} s"
-        self.query_one(StatusBar).show(self.desk, self.choice, working)
-
-    def _tick(self) -> None:
-        if self.long and self.busy:
-            self.show_status()
-
-    def take_session(self, session: Any) -> None:
+    def take_session(self, session: "Session") -> None:
         """Lay an opened session on the desk."""
-        self.session, self.recovered = session, False
+        self.session, self.drafts.recovered = session, False
         self.desk = desks.opened(session.structure, session.program)
         self.code.empty()
         self.desk = desks.restored(self.desk, session)
         self.chat.border_subtitle = session.name
         self.show()
 
-    # What the panes ask for.
+    # Drawing.
+
+    def show(self) -> None:
+        """Draw the desk everywhere, now."""
+        self.drawing.all_now()
+
+    def show_status(self) -> None:
+        working = self.turns.working
+        if working == "reading" and self.turns.long:
+            working = f"reading {self.turns.long / 1000:.0f} kB, {monotonic() - self.turns.since:.0f} s"
+        self.query_one(StatusBar).show(self.desk, self.choices.choice, working)
+
+    def _tick(self) -> None:
+        if self.turns.long and self.turns.busy:
+            self.show_status()
+
+    def on_resize(self) -> None:
+        self.call_after_refresh(self.show_status)
+        self.call_after_refresh(self.room.show_keys)
+
+    def on_descendant_focus(self) -> None:
+        self.room.follow_focus()
+
+    async def on_tabs_tab_activated(self, event: Tabs.TabActivated) -> None:
+        await self.room.take_tab((event.tab.id or "").removeprefix("tab-"))
+
+    # Commands, and what else the panes ask for.
+
+    async def run_command(self, name: str, argument: str = "") -> None:
+        """Run a command by name; an unknown one is said in the chat."""
+        if name in self.does:
+            await self.does[name](argument)
+            return
+        near = get_close_matches(name, commands(), 3, 0.5)
+        more = f" Did you mean {', '.join('/' + n for n in near)}?" if near else ""
+        await self.chat.note(f"There is no command /{name}.{more} /help lists them.", "error")
+
+    async def action_command(self, name: str) -> None:
+        await self.run_command(name)
+
+    async def on_worker_state_changed(self, event: Worker.StateChanged) -> None:
+        """A fault of the app's own is told in one sentence; the log has where it happened."""
+        error = event.worker.error
+        if event.state is WorkerState.ERROR and error is not None:
+            traceback.print_exception(error, file=sys.stderr)  # into the log
+            self.faults.append(error)
+            said = f"An error in the app, please report it: {type(error).__name__}: {sentence(error)}"
+            await self.chat.note(said, "error")
 
     @on(Said)
     async def _said(self, event: Said) -> None:
@@ -140,15 +199,15 @@ class Workbench(Actions, Drawing, Screen):
         if command is not None:
             await self.run_command(*command)
             return
-        await self.say(event.text)
+        await self.turns.say(event.text)
 
     @on(EditsAsked)
     async def _edits_asked(self, event: EditsAsked) -> None:
-        await self.make_edits(event.edits)
+        await self.turns.make_edits(event.edits)
 
     @on(ReachAsked)
     def _reach_asked(self, event: ReachAsked) -> None:
-        self.reach(event.edit)
+        self.turns.reach(event.edit)
 
     @on(Picked)
     def _picked(self, event: Picked) -> None:
@@ -165,24 +224,9 @@ class Workbench(Actions, Drawing, Screen):
 
     @on(CodeTyped)
     def _code_typed(self) -> None:
-        self._typed.add("code")
-        if self._live is not None:
-            self._live.stop()
-        self._live = self.set_timer(LIVE_SECONDS, self.check_live)
-
-    @work(group="live", exclusive=True, exit_on_error=False)
-    async def check_live(self) -> None:
-        """Check the text as it is being typed, when no turn runs; newer text cancels it."""
-        if not self.code.edited or self.busy or not self.backend.can("check"):
-            return
-        text, spans = self.code.area.text, self.code.side.spans
-        try:
-            report = await self.backend.check(text, spans=spans, upto="compile")
-        except (ValueError, OSError, RuntimeError):
-            return
-        if text == self.code.area.text and not self.busy:
-            self.code.show_findings(tuple(d for stage in report.stages for d in stage.diagnostics))
+        self.drafts.typed.add("code")
+        self.live.soon()
 
     @on(Entry.Changed)
     def _entry_changed(self) -> None:
-        self._typed.add("chat")
+        self.drafts.typed.add("chat")

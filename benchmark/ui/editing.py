@@ -37,11 +37,11 @@ async def edit_long_program(keys: int = 100) -> tuple[Times, Times]:
         backend = Backend(folder=Path(folder))
         app = C2SApp(backend=backend, session="bench", prefs=Prefs(welcomed=True))
         async with app.run_test(size=(140, 45)):
-            while app.workbench is None or not app.workbench.ready:
+            while app.workbench is None or not app.workbench.start.ready:
                 await asyncio.sleep(0.05)
             bench = app.workbench
-            await bench.make_edits((Replace(structure=imported),))
-            while bench.busy or bench.code.area.document.line_count < LINES - 50:
+            await bench.turns.make_edits((Replace(structure=imported),))
+            while bench.turns.busy or bench.code.area.document.line_count < LINES - 50:
                 await asyncio.sleep(0.05)
             area = bench.code.area
             area.focus()

@@ -41,16 +41,16 @@ async def key_to_draw() -> Times:
         backend = Backend(folder=Path(folder))
         app = C2SApp(backend=backend, session="bench", prefs=Prefs(welcomed=True))
         async with app.run_test(size=(140, 45)) as pilot:
-            while app.workbench is None or not app.workbench.ready:
+            while app.workbench is None or not app.workbench.start.ready:
                 await asyncio.sleep(0.05)
             for text in TEXTS:
-                await app.workbench.say(text)
-                while not app.workbench.busy:
+                await app.workbench.turns.say(text)
+                while not app.workbench.turns.busy:
                     await asyncio.sleep(0.005)
                 entry = app.workbench.chat.entry
                 entry.focus()
                 count = 0
-                while app.workbench.busy or count < 20:
+                while app.workbench.turns.busy or count < 20:
                     if count < KEYS_PER_TURN:
                         times.append(await one_key(app, entry, "abcdefgh "[count % 9]))
                         count += 1

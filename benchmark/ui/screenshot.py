@@ -22,20 +22,20 @@ async def take(target: Path) -> None:
         backend = Backend(folder=Path(folder))
         app = C2SApp(backend=backend, session="cyclist", prefs=Prefs(welcomed=True, graphics="blocks"))
         async with app.run_test(size=SIZE) as pilot:
-            while app.workbench is None or not app.workbench.ready:
+            while app.workbench is None or not app.workbench.start.ready:
                 await pilot.pause(0.05)
             bench = app.workbench
-            await bench.say(TEXT)
-            while not bench.busy:
+            await bench.turns.say(TEXT)
+            while not bench.turns.busy:
                 await pilot.pause(0.01)
-            while bench.busy:
+            while bench.turns.busy:
                 await pilot.pause(0.05)
             if not bench.picture.available:
                 raise SystemExit("the scenario did not run; nothing was written")
             await bench.run_command("picture")
             await pilot.pause()
             bench.picture.go(35)
-            bench.visit("O1")
+            bench.room.visit("O1")
             await pilot.pause()
             app.clear_notifications()
             await pilot.pause()

@@ -122,7 +122,7 @@ def start_lane(requirement: Requirement, evidence: Evidence) -> Result:
     assert isinstance(lanes, tuple)
     if fact is None:
         return unknown(requirement, said, "one of the two is not there")
-    return decided(requirement, bool(set(lanes) & set(fact.lanes)), said, ", ".join(fact.lanes) or "no such lane", 0.0)
+    return decided(requirement, bool(set(lanes) & set(fact.lanes)), said, ", ".join(fact.lanes) or "in no lane", 0.0)
 
 
 def start_along(requirement: Requirement, evidence: Evidence) -> Result:

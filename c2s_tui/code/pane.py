@@ -40,6 +40,7 @@ class CodePane(Vertical):
         self._shown_text = ""  # that program as the text area has it: line ends of one kind
         self._live: tuple[str, tuple[Diagnostic, ...]] | None = None  # found while typing, in that text
         self._subtitle = ""
+        self._begins = False  # a program has come and was not shown yet
         self._shown = Content("")
 
     def compose(self) -> ComposeResult:
@@ -90,12 +91,19 @@ class CodePane(Vertical):
             self._live = None
         self._draw()
         if first:
+            self._begins = True
             self.call_after_refresh(self._begin_at_ego)
 
+    def on_resize(self) -> None:
+        self.call_after_refresh(self._begin_at_ego)
+
     def _begin_at_ego(self) -> None:
-        """What is looked for first in a program is ego, not settings and imports."""
-        if self.area.cursor_location == (0, 0):
-            self.point("E")
+        """What is looked for first in a program is ego, not settings and imports: shown once the pane has its height,
+        unless one has gone somewhere before."""
+        if self._begins and self.area.size.height:
+            self._begins = False
+            if not self.area.has_focus or self.area.cursor_location == (0, 0):
+                self.point("E", scroll=True)
 
     def empty(self) -> None:
         """Forget the text and its history: another session's comes."""
@@ -160,14 +168,15 @@ class CodePane(Vertical):
         at = self.area.problems.get(line)
         return at or next((d for d in self.diagnostics if not d.line), None)
 
-    def point(self, cid: str, line: int | None = None) -> None:
-        """Show a component's fragment, without taking the focus."""
+    def point(self, cid: str, line: int | None = None, scroll: bool = False) -> None:
+        """Show a component's fragment, without taking the focus; `scroll`: also where the cursor is in it."""
+        self._begins = False
         self.side.show(here=cid)
         span = next((s for s in self.side.spans if s.component == cid), None)
         if span is None:
             return
         row = (line or span.first) - 1
-        if not span.first <= self.area.cursor_location[0] + 1 <= span.last or line:
+        if not span.first <= self.area.cursor_location[0] + 1 <= span.last or line or scroll:
             with self.prevent(TextArea.SelectionChanged):
                 self.area.move_cursor((row, 0))
             self.area.scroll_to(y=max(0, row - 2), animate=False)

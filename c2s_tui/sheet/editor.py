@@ -1,6 +1,5 @@
 """The line in which a field of S is edited in place, with what may stand there and what it would reach."""
 
-from typing import Any
 
 from textual.app import ComposeResult
 from textual.binding import Binding
@@ -10,7 +9,9 @@ from textual.message import Message
 from textual.suggester import SuggestFromList
 from textual.widgets import Input, Static
 
-from c2s_engine.structure.edits import EditError, SetDescription, SetField
+from c2s_engine.structure.edits import Edit, EditError, SetDescription, SetField
+from c2s_engine.structure.specs import AnySpec
+from c2s_tui.in_order import OrderedLine
 from c2s_tui.sheet.rows import SENTENCE, Row
 from c2s_tui.sheet.values import Field, head_name, parse
 
@@ -25,7 +26,7 @@ class FieldEditor(Vertical):
     """While it is open, the keys of the pane around it do nothing."""
 
     class Made(Message):
-        def __init__(self, edit: Any):
+        def __init__(self, edit: Edit):
             self.edit = edit
             super().__init__()
 
@@ -38,11 +39,11 @@ class FieldEditor(Vertical):
     class Typed(Message):
         """What is typed so far is a valid edit (or is not: None)."""
 
-        def __init__(self, edit: Any | None):
+        def __init__(self, edit: Edit | None):
             self.edit = edit
             super().__init__()
 
-    def __init__(self, row: Row, spec: Any):
+    def __init__(self, row: Row, spec: AnySpec):
         super().__init__()
         self.row, self.spec = row, spec
         self.field = row.field
@@ -51,7 +52,7 @@ class FieldEditor(Vertical):
     def compose(self) -> ComposeResult:
         value = "" if self._appends else self.row.text
         choices = self._choices()
-        yield Input(
+        yield OrderedLine(
             value, compact=True, select_on_focus=False,
             suggester=SuggestFromList(choices, case_sensitive=False) if choices else None,
         )  # fmt: skip
@@ -85,7 +86,7 @@ class FieldEditor(Vertical):
             parts.append("typed without a unit it is km/h")
         return Content.styled("; ".join(parts) or "Enter applies it, Esc keeps what was there", "$muted")
 
-    def edit_of(self, text: str) -> Any:
+    def edit_of(self, text: str) -> Edit:
         """The edit that a typed text means; raises EditError."""
         if self.row.kind == SENTENCE:
             if not text.strip():

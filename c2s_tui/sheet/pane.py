@@ -12,6 +12,7 @@ from c2s_engine.structure.edits import AddObject, MoveObject, RemoveObject, SetC
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.structure.vocabulary import ObjectType
 from c2s_tui.desk import Desk
+from c2s_tui.in_order import OrderedLine
 from c2s_tui.messages import CommandAsked, EditsAsked, Picked, ReachAsked, Said
 from c2s_tui.sheet.editor import FieldEditor
 from c2s_tui.sheet.row_view import RowView
@@ -223,7 +224,8 @@ class SheetPane(VerticalScroll):
         if self.query("#new-object"):
             return
         self._ahead = ""
-        line = Input(placeholder="a type (car, pedestrian, cone ...) or a sentence", id="new-object", compact=True)
+        words = "a type (car, pedestrian, cone ...) or a sentence"
+        line = OrderedLine(placeholder=words, id="new-object", compact=True)
         await self.mount(line)
         self.scroll_end(animate=False)
         self.pass_on()

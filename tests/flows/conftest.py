@@ -72,6 +72,11 @@ class Stage:
         return self.app.workbench
 
     @property
+    def busy(self) -> bool:
+        """Whether a turn, a run or a search is under way."""
+        return self.bench.turns.busy
+
+    @property
     def said(self) -> list[str]:
         """The lines of the conversation."""
         return [line.plain for line in self.bench.query("Line")]
@@ -86,10 +91,10 @@ class Stage:
         raise AssertionError(f"this never came to hold; the chat says {self.said[-3:]}")
 
     async def ready(self, pilot: Any) -> None:
-        await self.until(pilot, lambda: self.bench is not None and self.bench.ready)
+        await self.until(pilot, lambda: self.bench is not None and self.bench.start.ready)
 
     async def idle(self, pilot: Any) -> None:
-        await self.until(pilot, lambda: not self.bench.busy)
+        await self.until(pilot, lambda: not self.busy)
         await pilot.pause()
 
     async def say(self, pilot: Any, text: str, wait: bool = True) -> None:
@@ -99,7 +104,7 @@ class Stage:
         self.bench.chat.entry.focus()
         await pilot.press("enter")
         if wait:
-            await self.until(pilot, lambda: len(self.said) > before and not self.bench.busy)
+            await self.until(pilot, lambda: len(self.said) > before and not self.busy)
             await pilot.pause()
 
     @asynccontextmanager
@@ -126,8 +131,8 @@ class Stage:
 
     async def conflict(self, pilot: Any, gap: float = 25.0) -> None:
         """Change a field of O1, which is written by hand."""
-        await self.bench.make_edits((SetField(component="O1", path="placement.gap", value=gap),))
-        await self.until(pilot, lambda: self.bench.desk.structure["O1"].conflict and not self.bench.busy)
+        await self.bench.turns.make_edits((SetField(component="O1", path="placement.gap", value=gap),))
+        await self.until(pilot, lambda: self.bench.desk.structure["O1"].conflict and not self.busy)
 
     async def editing(self, pilot: Any, key: str) -> None:
         """Open a row of the structure pane for editing."""
@@ -137,7 +142,7 @@ class Stage:
 
     async def to_row(self, pilot: Any, key: str) -> None:
         """Put the cursor of the structure pane on a row."""
-        self.bench.go_to("sheet")
+        self.bench.room.go_to("sheet")
         await self.until(pilot, lambda: self.bench.sheet.has_focus)
         self.bench.sheet._go([row.key for row in self.bench.sheet.rows].index(key))
         await pilot.pause()
@@ -151,7 +156,7 @@ class Stage:
 
     async def still(self, pilot: Any) -> None:
         """Stop what blinks, and let the last drawing be done."""
-        await self.until(pilot, lambda: self.bench._due is None)
+        await self.until(pilot, lambda: self.bench.drawing.due is None)
         for screen in self.app.screen_stack:
             for area in [*screen.query(TextArea), *screen.query(Input)]:
                 area.cursor_blink = False
@@ -166,6 +171,7 @@ class Stage:
 def stage(tmp_path: Path) -> Iterator[Stage]:
     found = Stage(tmp_path / "sessions")
     yield found
+    assert found.app is None or found.bench is None or not found.bench.faults, "errors of the app's own"
     for backend in found.backends:
         asyncio.run(backend.close())
 

@@ -160,6 +160,7 @@ class ScriptedEngine:
     calls: list[tuple[str, Any]] = field(default_factory=list)
     seen: bool = True
     collides: bool = False
+    library: Any = field(default_factory=lambda: SimpleNamespace(named_in=lambda program: None))
     settings: Any = field(default_factory=lambda: SimpleNamespace(model=None))
     model_list: list[dict[str, Any]] | Exception = field(default_factory=list)
 
@@ -214,13 +215,12 @@ class ScriptedEngine:
         requirements, results = (), ()
         if report.ok:
             facts = report.facts
-            requirements = tuple(r for r in require(done) if r.kind in ("phase", "outcome"))
-            results = evaluate(requirements, facts[0], report.trajectories[0])
+            requirements, results = self._judged(done, report)
             yield RunDone(facts=facts[0], trajectories=report.trajectories[0])
         yield Finished(
             ok=report.ok, structure=done, program=program, stages=(StageResult(name="write", ok=True), *report.stages),
             facts=facts, requirements=requirements, results=results,
-            measures=tuple(measured(f, w) for f, w in zip(facts, report.trajectories, strict=True)), seconds=0.42,
+            measures=_measures(report), seconds=0.42,
         )  # fmt: skip
 
     async def check(self, program: str, *, spans: Any = (), upto: str = "sample", **options: Any) -> CheckReport:
@@ -245,6 +245,26 @@ class ScriptedEngine:
         stages.append(StageResult(name="run", ok=True, seconds=0.2))
         facts = run_facts(self.seen, self.collides)
         return CheckReport(stages=tuple(stages), facts=(facts,), trajectories=(trajectories(),))
+
+    async def judge(self, structure: Structure, report: CheckReport, **options: Any) -> Any:
+        if not report.facts:
+            return SimpleNamespace(requirements=(), results=(), measures=())
+        requirements, results = self._judged(structure, report)
+        return SimpleNamespace(requirements=requirements, results=results, measures=_measures(report))
+
+    @staticmethod
+    def _judged(structure: Structure, report: CheckReport) -> tuple[tuple[Any, ...], Any]:
+        requirements = tuple(r for r in require(structure) if r.kind in ("phase", "outcome"))
+        return requirements, evaluate(requirements, report.facts[0], report.trajectories[0])
+
+    async def warm(self, map: str) -> bool:  # noqa: A002
+        return False
+
+    async def reworded(self, structure: Structure, edits: Any) -> tuple[list[Any], list[str]]:
+        return list(edits), []
+
+    async def snippets(self, structure: Structure) -> list[Any]:
+        return []
 
     def gaps(self, ways: Trajectories) -> dict[str, list[float]]:
         return gaps(ways)
@@ -316,6 +336,10 @@ class ScriptedModels:
     async def pull(self, name: str) -> AsyncIterator[tuple[str, int, int]]:
         yield "pulling", 50, 100
         yield "success", 100, 100
+
+
+def _measures(report: CheckReport) -> tuple[Any, ...]:
+    return tuple(measured(f, w) for f, w in zip(report.facts, report.trajectories, strict=True))
 
 
 def run_facts(seen: bool, collides: bool = False) -> RunFacts:

@@ -4,6 +4,7 @@ import pytest
 from textual.widgets import OptionList
 
 from c2s_tui.code.finder import found
+from c2s_tui.columns import Columns
 from c2s_tui.keys import row, written
 
 
@@ -56,7 +57,7 @@ async def test_room_is_given_by_key_and_kept(stage):
         await stage.until(pilot, lambda: stage.bench.chat.size.width < before)
         assert stage.app.prefs.widths == "12 46 58"
         stage.app.prefs.widths = "no numbers"
-        assert list(stage.bench.widths().values()) == [36, 46, 58]
+        assert list(stage.bench.query_one(Columns).shares.values()) == [36, 46, 58]
 
 
 async def test_find_goes_from_place_to_place_and_to_lines(stage):
@@ -91,7 +92,7 @@ def test_what_is_found(wanted, places):
 async def test_findings_are_a_list(stage):
     async with stage.described() as pilot:
         await stage.misspell(pilot)
-        stage.bench.go_to("chat")
+        stage.bench.room.go_to("chat")
         await pilot.press("alt+p")
         await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
         assert "VanBehaviour" in str(stage.app.screen.query_one(OptionList).get_option_at_index(0).prompt)
@@ -106,17 +107,17 @@ async def test_turns_are_a_list_to_go_back_and_forward_in(stage):
         await stage.type_over(pilot, "60")
         second = stage.bench.desk.program.text
         assert second != first and [t.index for t in stage.bench.session.history] == [0, 1]
-        stage.bench.go_to("chat")
+        stage.bench.room.go_to("chat")
         await pilot.press("alt+u")
         await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
         await pilot.press("down", "enter")
-        await stage.until(pilot, lambda: stage.bench.desk.program.text == first and not stage.bench.busy)
+        await stage.until(pilot, lambda: stage.bench.desk.program.text == first and not stage.busy)
         assert [t.index for t in stage.bench.session.undone] == [1]
         await pilot.press("alt+u")
         await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
         assert "undone" in str(stage.app.screen.query_one(OptionList).get_option_at_index(0).prompt)
         await pilot.press("up", "enter")
-        await stage.until(pilot, lambda: stage.bench.desk.program.text == second and not stage.bench.busy)
+        await stage.until(pilot, lambda: stage.bench.desk.program.text == second and not stage.busy)
         assert not stage.bench.session.undone
 
 

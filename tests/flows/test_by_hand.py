@@ -26,7 +26,7 @@ async def opened(stage, pilot, text, name="mine.scenic"):
     file = stage.folder.parent / name
     file.write_bytes(text.encode())
     await stage.bench.run_command("open", str(file))
-    await stage.until(pilot, lambda: stage.bench.session.program.text == text and not stage.bench.busy)
+    await stage.until(pilot, lambda: stage.bench.session.program.text == text and not stage.busy)
     return file
 
 
@@ -76,7 +76,7 @@ async def test_a_comment_above_the_program_outlives_turns_and_nothing_freezes(st
         area = stage.bench.code.area
         area.text = "# Ours, 2026.\n" + area.text
         await pilot.press("f5")
-        await stage.until(pilot, lambda: stage.bench.session.program.text.startswith("# Ours") and not stage.bench.busy)
+        await stage.until(pilot, lambda: stage.bench.session.program.text.startswith("# Ours") and not stage.busy)
         await stage.editing(pilot, "O1:type")
         await stage.type_over(pilot, "bus")
         await stage.until(pilot, lambda: "new Bus" in area.text)
@@ -96,7 +96,7 @@ async def test_what_is_typed_during_a_turn_is_merged_with_it(stage):
         assert "after 30 seconds" in stage.bench.session.program.text, "edits of the code come before"
         stage.write("after 30 seconds", "after 40 seconds")
         await stage.bench.run_command("undo")
-        await stage.until(pilot, lambda: "new Van" in stage.bench.code.area.text and not stage.bench.busy)
+        await stage.until(pilot, lambda: "new Van" in stage.bench.code.area.text and not stage.busy)
         assert "after 40 seconds" in stage.bench.code.area.text and stage.bench.code.edited
 
 
@@ -118,7 +118,7 @@ async def test_a_fix_leaves_the_cursor_and_no_finding(stage):
 
 async def test_keys_undo_what_was_typed_and_no_turn(stage):
     async with stage.described() as pilot:
-        await stage.bench.make_edits((SetField(component="O1", path="placement.gap", value=25.0),))
+        await stage.bench.turns.make_edits((SetField(component="O1", path="placement.gap", value=25.0),))
         await stage.idle(pilot)
         written = stage.bench.desk.program.text
         area = stage.bench.code.area
@@ -144,7 +144,7 @@ async def test_tab_leaves_a_field_or_takes_it(stage):
         await pilot.press("tab")
         await stage.until(pilot, lambda: stage.bench.sheet.editor.query_one("Input").value == "truck")
         await pilot.press("tab")
-        await stage.until(pilot, lambda: stage.bench.desk.structure["O1"].spec.type == "truck" and not stage.bench.busy)
+        await stage.until(pilot, lambda: stage.bench.desk.structure["O1"].spec.type == "truck" and not stage.busy)
         assert stage.bench.sheet.editor is None
 
 

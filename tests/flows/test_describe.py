@@ -36,7 +36,7 @@ def test_narrow_panes_are_tabs(stage, compare):
         await pilot.press("f3")
         await stage.until(pilot, lambda: stage.bench.sheet.has_focus)
         assert stage.bench.sheet.region.width == 80
-        assert stage.bench.current_pane == "sheet"
+        assert stage.bench.room.current_pane == "sheet"
 
     assert compare(flow, size=(80, 24))
 
@@ -70,7 +70,7 @@ def test_an_answer_is_shown_while_it_streams(stage, compare):
         await stage.say(pilot, "Explain.", wait=False)
         await stage.until(pilot, lambda: stage.bench.query("Answer") and stage.bench.query_one("Answer").text)
         await stage.until(pilot, lambda: stage.bench.query_one("Answer Markdown").source == "".join(tokens))
-        assert stage.bench.busy
+        assert stage.busy
 
     assert compare(flow)
     stage.engine.gate.set()
@@ -83,7 +83,7 @@ def test_escape_cancels_and_keeps_what_is_typed(stage, compare):
     async def flow(pilot):
         await stage.say(pilot, CUT_IN, wait=False)
         await stage.until(pilot, lambda: any("van, cuts in" in line for line in stage.said))
-        assert stage.bench.busy
+        assert stage.busy
         stage.bench.chat.entry.put("the next thought")
         await pilot.press("escape")
         await stage.idle(pilot)
@@ -100,7 +100,7 @@ async def test_a_text_sent_while_a_turn_runs_stays_typed(stage):
     async with stage.make().run_test(size=(140, 45)) as pilot:
         await stage.ready(pilot)
         await stage.say(pilot, CUT_IN, wait=False)
-        await stage.until(pilot, lambda: stage.bench.busy)
+        await stage.until(pilot, lambda: stage.busy)
         await stage.say(pilot, "What is a cut-in?", wait=False)
         await stage.until(pilot, lambda: stage.bench.chat.entry.text == "What is a cut-in?")
         stage.engine.gate.set()
@@ -114,7 +114,7 @@ def test_a_failing_engine_is_one_sentence_in_the_chat(stage, compare):
     async def flow(pilot):
         await stage.say(pilot, "Fail.")
         assert stage.said[-1] == "The model qwen3 is not there: pull it with /model"
-        assert not stage.bench.busy
+        assert not stage.busy
 
     assert compare(flow)
 
@@ -134,7 +134,7 @@ def test_search_and_use_a_result(stage, compare):
         await stage.say(pilot, "/use 1", wait=False)
         await stage.until(pilot, lambda: stage.bench.chat.entry.text == f"[UN R157, 4.5] {CUT_IN}")
         await pilot.press("enter")
-        await stage.until(pilot, lambda: stage.bench.desk.program.text and not stage.bench.busy)
+        await stage.until(pilot, lambda: stage.bench.desk.program.text and not stage.busy)
         assert "O1" in stage.bench.desk.structure
 
     assert compare(flow)

@@ -33,14 +33,14 @@ def test_edit_an_object_rewrites_it_and_what_reads_it(stage, compare):
     async def flow(pilot):
         await stage.say(pilot, CUT_IN)
         bus = ObjectSpec(name="bus", type="bus", placement=Placement(position="behind", of="O1", gap=10.0))
-        await stage.bench.make_edits((AddObject(spec=bus, description="A bus behind O1."),))
-        await stage.until(pilot, lambda: "O2" in stage.bench.desk.structure and not stage.bench.busy)
+        await stage.bench.turns.make_edits((AddObject(spec=bus, description="A bus behind O1."),))
+        await stage.until(pilot, lambda: "O2" in stage.bench.desk.structure and not stage.busy)
         before = stage.bench.desk.program
         await stage.editing(pilot, "O1:speed")
         stage.app.focused.value = "36"
         await stage.until(pilot, lambda: stage.bench.sheet.reached == {"O1", "O2"})
         await pilot.press("enter")
-        await stage.until(pilot, lambda: stage.bench.desk.structure["O1"].spec.speed == 10.0 and not stage.bench.busy)
+        await stage.until(pilot, lambda: stage.bench.desk.structure["O1"].spec.speed == 10.0 and not stage.busy)
         desk = stage.bench.desk
         assert set(desk.rewritten) == {"O1", "O2"}
         assert all(desk.program.fragment(c) == before.fragment(c) for c in ("G", "R", "E", "T"))
@@ -77,15 +77,15 @@ def test_undo_and_redo(stage, compare):
         await stage.say(pilot, CUT_IN)
         first = stage.bench.desk.program.text
         await stage.to_row(pilot, "O1:placement")
-        await stage.bench.make_edits((SetField(component="O1", path="placement.gap", value=25.0),))
+        await stage.bench.turns.make_edits((SetField(component="O1", path="placement.gap", value=25.0),))
         await stage.idle(pilot)
         second = stage.bench.desk.program.text
         assert "> 25.0" in second and second != first
         stage.bench.sheet.focus()
         await pilot.press("u")
-        await stage.until(pilot, lambda: not stage.bench.busy and stage.bench.code.area.text == first)
+        await stage.until(pilot, lambda: not stage.busy and stage.bench.code.area.text == first)
         await pilot.press("ctrl+y")
-        await stage.until(pilot, lambda: not stage.bench.busy and stage.bench.code.area.text == second)
+        await stage.until(pilot, lambda: not stage.busy and stage.bench.code.area.text == second)
         assert stage.bench.session.can_undo and not stage.bench.session.can_redo
 
     assert compare(flow)
@@ -96,7 +96,7 @@ async def test_objects_are_added_moved_and_removed(stage):
         await stage.to_row(pilot, "add")
         await pilot.press("enter")
         await stage.type_over(pilot, "pedestrian")
-        await stage.until(pilot, lambda: "O2" in stage.bench.desk.structure and not stage.bench.busy)
+        await stage.until(pilot, lambda: "O2" in stage.bench.desk.structure and not stage.busy)
         assert stage.bench.desk.structure["O2"].spec.type == "pedestrian"
         await stage.to_row(pilot, "O2")
         await pilot.press("K")
@@ -104,7 +104,7 @@ async def test_objects_are_added_moved_and_removed(stage):
         await stage.idle(pilot)
         await stage.to_row(pilot, "O2")
         await pilot.press("x")
-        await stage.until(pilot, lambda: "O2" not in stage.bench.desk.structure and not stage.bench.busy)
+        await stage.until(pilot, lambda: "O2" not in stage.bench.desk.structure and not stage.busy)
         assert stage.bench.desk.program.span_of("O2") is None
 
 
@@ -126,9 +126,9 @@ async def test_a_phase_is_added_and_removed(stage):
 async def test_newer_edits_take_along_those_still_being_written(stage):
     async with stage.described() as pilot:
         stage.engine.gate, stage.engine.gated_at = threading.Event(), "write"
-        await stage.bench.make_edits((SetField(component="E", path="speed", value=20.0),))
+        await stage.bench.turns.make_edits((SetField(component="E", path="speed", value=20.0),))
         await stage.until(pilot, lambda: ("apply", ["field"]) in stage.engine.calls)
-        await stage.bench.make_edits((SetField(component="O1", path="type", value="bus"),))
+        await stage.bench.turns.make_edits((SetField(component="O1", path="type", value="bus"),))
         await stage.until(pilot, lambda: ("apply", ["field", "field"]) in stage.engine.calls)
         stage.engine.gate.set()
         await stage.idle(pilot)
@@ -227,12 +227,12 @@ def test_the_offered_fix_is_taken(stage, compare):
         await stage.say(pilot, CUT_IN)
         stage.write("with behavior VanBehavior", "with behavior VanBehaviour")
         await pilot.press("f5")
-        await stage.until(pilot, lambda: stage.bench.desk.diagnostics and not stage.bench.busy)
+        await stage.until(pilot, lambda: stage.bench.desk.diagnostics and not stage.busy)
         assert stage.bench.desk.state(stage.bench.desk.structure["O1"]) == "failed"
         assert "fix: VanBehavior is defined above" in stage.said[-1]
         await pilot.press("f8")
         await pilot.press("ctrl+t")
-        await stage.until(pilot, lambda: not stage.bench.desk.diagnostics and not stage.bench.busy)
+        await stage.until(pilot, lambda: not stage.bench.desk.diagnostics and not stage.busy)
         assert "VanBehaviour" not in stage.bench.session.program.text
 
     assert compare(flow)
@@ -258,3 +258,31 @@ def test_a_conflict_80x24(stage, compare):
         await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Conflict")
 
     assert compare(flow, size=(80, 24))
+
+
+async def test_keys_typed_at_once_change_a_field_in_their_order(stage):
+    async with stage.described() as pilot:
+        await stage.editing(pilot, "O1:name")
+        for key in ("home", "right", "q", "right", "backspace", "r", "end", "left", "x"):
+            stage.app.post_message(Key(key, key if len(key) == 1 else None))
+        await stage.until(pilot, lambda: stage.bench.sheet.editor.query_one("Input").value == "vqrxn")
+
+
+async def test_enter_after_a_key_to_another_pane_is_meant_for_that_pane(stage):
+    async with stage.described() as pilot:
+        await stage.to_row(pilot, "O1:name")
+        stage.bench.room.go_to("chat")
+        stage.bench.chat.entry.put("lo")
+        for key in ("f3", "enter"):
+            stage.app.post_message(Key(key, "\r" if key == "enter" else None))
+        await stage.until(pilot, lambda: stage.bench.sheet.editor is not None)
+        assert stage.bench.chat.entry.text == "lo" and len(stage.bench.session.history) == 1
+
+
+async def test_going_back_to_s_goes_on_in_the_field_that_is_open(stage):
+    async with stage.described() as pilot:
+        await stage.editing(pilot, "O1:name")
+        await pilot.press("f2")
+        await stage.until(pilot, lambda: stage.bench.chat.entry.has_focus)
+        await pilot.press("f3", "ctrl+u", "b")
+        await stage.until(pilot, lambda: stage.bench.sheet.editor.query_one("Input").value == "b")

@@ -1,5 +1,7 @@
 """What hands are used to: borders moved with the mouse, the mouse left to the terminal, Vim's keys."""
 
+import pytest
+
 from c2s_tui.prefs import Prefs, load
 
 
@@ -89,3 +91,20 @@ async def test_vim_keys(stage):
             assert area.text == text
         await stage.bench.run_command("vim")
         assert area.vim is None and pane.border_title == "code" and not stage.app.prefs.vim
+
+
+@pytest.mark.parametrize("size", [(140, 45), (140, 20), (80, 24), (60, 20)])
+async def test_the_code_begins_at_ego_after_a_restart(stage, size):
+    async with stage.described(size):
+        pass
+    await stage.backends.pop().close()
+    async with stage.make().run_test(size=size) as pilot:
+        await stage.ready(pilot)
+        await stage.until(pilot, lambda: stage.bench.desk.program.text)
+        await pilot.press("f4")
+        code = stage.bench.code
+        first = next(s.first for s in stage.bench.desk.program.spans if s.component == "E")
+        await stage.until(pilot, lambda: code.area.has_focus and code.area.size.height)
+        await stage.until(pilot, lambda: code.area.cursor_location[0] == first - 1)
+        top = round(code.area.scroll_y)
+        assert top == min(first - 3, code.area.max_scroll_y) and top < first <= top + code.area.size.height

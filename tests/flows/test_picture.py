@@ -115,12 +115,12 @@ async def test_a_picture_that_is_asked_for_too_early_opens_with_the_run(stage):
     async with stage.make().run_test(size=(140, 45)) as pilot:
         await stage.ready(pilot)
         await stage.say(pilot, CUT_IN, wait=False)
-        await stage.until(pilot, lambda: stage.bench.busy)
+        await stage.until(pilot, lambda: stage.busy)
         await pilot.press("f9")
         assert not stage.bench.picture.has_class("-on")
         stage.engine.gate.set()
         await stage.until(pilot, lambda: stage.bench.picture.has_class("-on"))
-        assert not stage.bench.busy and "E→" in str(stage.bench.picture.query_one("#frame").content)
+        assert not stage.busy and "E→" in str(stage.bench.picture.query_one("#frame").content)
 
 
 @pytest.mark.parametrize(

@@ -47,11 +47,11 @@ def test_seeds_fill_a_table_and_a_cancelled_series_keeps_its_rows(stage, compare
         await stage.say(pilot, "/seeds 6", wait=False)
         await stage.until(pilot, lambda: "Seeds: 2 of 6 run, 2 passed" in report(stage))
         await pilot.press("escape")
-        await stage.until(pilot, lambda: not stage.bench.busy)
+        await stage.until(pilot, lambda: not stage.busy)
         assert len(stage.bench.desk.seeds) == 2 and stage.bench.results.has_class("-on")
         stage.engine.gate.set()
         await pilot.press("s")
-        await stage.until(pilot, lambda: len(stage.bench.desk.seeds) == 20 and not stage.bench.busy)
+        await stage.until(pilot, lambda: len(stage.bench.desk.seeds) == 20 and not stage.busy)
         assert "Seeds: 20 of 20 run, 14 passed, 6 failed" in report(stage)
         assert any("14 of 20 seeds passed" in line for line in stage.said)
 

@@ -42,7 +42,7 @@ async def test_a_clause_becomes_the_description_and_code_a_components(stage):
         await stage.say(pilot, "/use 2", wait=False)
         await stage.until(pilot, lambda: any("name the component (/use 2 O1)" in line for line in stage.said))
         await stage.say(pilot, "/use 2 O1")
-        await stage.until(pilot, lambda: stage.bench.desk.structure["O1"].origin == "by_hand" and not stage.bench.busy)
+        await stage.until(pilot, lambda: stage.bench.desk.structure["O1"].origin == "by_hand" and not stage.busy)
         assert CODE.text in stage.bench.desk.program.text
         await pilot.press("alt+z")
-        await stage.until(pilot, lambda: CODE.text not in stage.bench.desk.program.text and not stage.bench.busy)
+        await stage.until(pilot, lambda: CODE.text not in stage.bench.desk.program.text and not stage.busy)

@@ -47,7 +47,7 @@ async def test_a_model_is_chosen_and_one_that_is_missing_is_pulled(stage):
             await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Chooser")
             await pilot.press(*typed)
             await pilot.press("enter")
-            await stage.until(pilot, lambda expected=expected: stage.bench.choice.model == expected)
+            await stage.until(pilot, lambda expected=expected: stage.bench.choices.choice.model == expected)
             assert stage.engine.settings.model == expected and load().model == expected
 
 
@@ -73,12 +73,12 @@ async def test_method_and_map_are_chosen_by_name(stage):
     async with stage.make().run_test(size=(140, 45)) as pilot:
         await stage.ready(pilot)
         await stage.say(pilot, "/method C7", wait=False)
-        await stage.until(pilot, lambda: stage.bench.choice.method == "chat2scenic:C7")
+        await stage.until(pilot, lambda: stage.bench.choices.choice.method == "chat2scenic:C7")
         await stage.say(pilot, "/map Town05", wait=False)
-        await stage.until(pilot, lambda: stage.bench.choice.map == "Town05")
+        await stage.until(pilot, lambda: stage.bench.choices.choice.map == "Town05")
         await stage.say(pilot, "/map Atlantis", wait=False)
         await stage.until(pilot, lambda: any("There is no map Atlantis" in line for line in stage.said))
-        assert stage.bench.options()["map"] == "Town05"
+        assert stage.bench.turns.options()["map"] == "Town05"
 
 
 def test_help_of_the_structure_pane(stage, compare):
@@ -155,7 +155,7 @@ async def test_what_was_typed_comes_back(stage):
     async with stage.described() as pilot:
         stage.bench.chat.entry.put("half a thought")
         await pilot.pause()
-        stage.bench.save_drafts(now=True)
+        stage.bench.drafts.save(now=True)
         program = stage.bench.desk.program.text
         await stage.backends[-1].thread.do(stage.bench.session.close)
     async with stage.make().run_test(size=(140, 45)) as pilot:
@@ -188,17 +188,17 @@ async def test_files_are_saved_and_changes_outside_noticed(stage, tmp_path: Path
         await stage.until(pilot, lambda: target.exists() and any("Saved" in line for line in stage.said))
         assert target.read_text() == stage.bench.desk.program.text
         target.write_text("ego = new Car\n")
-        stage.bench.file_seen -= 1  # as if the clock had gone on
+        stage.bench.files.file_seen -= 1  # as if the clock had gone on
         told = []
         stage.app.notify = lambda text, **_: told.append(text)
-        stage.bench.watch_file()
-        stage.bench.watch_file()
+        stage.bench.files.watch_file()
+        stage.bench.files.watch_file()
         assert len(told) == 1 and "changed by another program" in told[0]
         await pilot.press("ctrl+s")
         await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Confirm")
         await pilot.press("r")
         await stage.until(
-            pilot, lambda: stage.bench.desk.program.fragment("E") == "ego = new Car\n" and not stage.bench.busy
+            pilot, lambda: stage.bench.desk.program.fragment("E") == "ego = new Car\n" and not stage.busy
         )
 
 

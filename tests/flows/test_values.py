@@ -175,9 +175,12 @@ def test_no_key_of_the_app_is_taken_by_a_text_area_or_an_input():
 
 
 def test_commands_have_a_method_and_unambiguous_beginnings_will_do():
-    from c2s_tui.actions import Actions
+    from c2s_tui.backend import Backend
+    from c2s_tui.workbench import Workbench
 
-    assert all(hasattr(Actions, f"do_{name}") for name in commands())
+    backend = Backend()
+    assert set(Workbench(backend, None, None).does) == set(commands())
+    backend.thread.stop()
     assert split("/the c2s-light") == ("theme", "c2s-light")
     assert split("/m") == ("m", "") and split("hello") is None
 

@@ -1,0 +1,44 @@
+"""Leaving the app."""
+
+from c2s_tui.part import Part
+from c2s_tui.screens.dialogs import Confirm
+
+
+class Leaving(Part):
+    """Asks once where something would be lost."""
+
+    async def do_quit(self, _: str) -> None:
+        """Leave; where work would be lost or broken off, ask once."""
+        reasons = []
+        if self.bench.turns.busy:
+            reasons.append("a turn is still running")
+        if self.bench.code.edited:
+            reasons.append("the code has hand edits that are not applied")
+        file = self.bench.files.unsaved
+        if file is not None:
+            reasons.append(f"{file.name} has unsaved changes")
+        if not reasons:
+            await self.leave()
+            return
+        answers = {
+            "q": ("quit", "quit (drafts are kept)"),
+            "s": ("save", "save the file and quit"),
+            "b": ("", "go back"),
+        }
+        target = self.bench.files.file
+        if target is None:
+            del answers["s"]
+
+        async def decided(answer: str | None) -> None:
+            if answer == "save" and target is not None:
+                await self.bench.files.write(target)
+            if answer in ("quit", "save"):
+                await self.leave()
+
+        self.app.push_screen(Confirm(f"Leave? {'; '.join(reasons).capitalize()}.", answers), decided)
+
+    async def leave(self) -> None:
+        """Save drafts, close everything, end the app."""
+        self.bench.drafts.save(now=True)
+        self.bench.workers.cancel_all()
+        self.app.exit()

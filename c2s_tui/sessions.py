@@ -1,0 +1,117 @@
+"""Sessions: open one, as it was left; list, rename, delete."""
+
+from typing import TYPE_CHECKING
+
+from c2s_tui.part import Part, background, sentence
+from c2s_tui.past import when
+from c2s_tui.screens.dialogs import Choosable, Chooser, Confirm
+
+if TYPE_CHECKING:
+    from c2s_engine.session.session import Session
+
+
+def fresh_name(taken: set[str]) -> str:
+    """A name for a new session that none has."""
+    return next(name for i in range(1, 10_000) if (name := f"session-{i}") not in taken)
+
+
+class Sessions(Part):
+    """Commands that concern sessions as a whole."""
+
+    @background("begin", exclusive=False)
+    async def open_session(self, name: str) -> None:
+        """Close the session and open another."""
+        if self.bench.turns.busy:
+            await self.bench.turns.may_begin()
+            return
+        await self.enter(name)
+
+    async def enter(self, name: str) -> None:
+        """Open a session and show where it was left, with what was typed and not sent."""
+        if self.bench.session is not None:
+            self.bench.drafts.save(now=True)
+        try:
+            session = await self.backend.open(name)
+        except Exception as error:
+            await self.chat.note(f"The session {name} could not be opened: {sentence(error)}", "error")
+            if self.bench.session is not None:
+                return
+            session = await self.backend.open(f"{name}-2")
+        changed = self.bench.session is not session
+        typed = self.chat.entry.text if self.bench.session is None else ""  # while the session was being opened
+        self.chat.entry.put(session.draft("chat") + typed)
+        if changed:
+            await self.chat.clear()
+        self.bench.take_session(session)
+        self.app.remember(session=session.name)
+        for turn in session.history[-50:]:
+            await self.chat.note(turn.text, "user" if turn.kind == "say" else "note")
+            for reply in turn.replies:
+                await self.chat.note(reply, "say")
+        await self._recover(session)
+
+    async def _recover(self, session: "Session") -> None:
+        """Put back a draft of the code; offer a turn that a crash interrupted."""
+        code = session.draft("code")
+        if code and code != session.program.text:
+            self.bench.code.area.text = code
+            await self.chat.note("Your unapplied edits are back in the code pane: F5 applies them.", "warning")
+        self.bench.drafts.recovered = True
+        if session.pending is not None:
+            said = session.pending.text[:120]
+            await self.chat.note(f"This turn was interrupted: “{said}”. /resume runs it again.", "warning")
+
+    @background("choices")
+    async def offer_sessions(self) -> None:
+        """The sessions, the one used last first."""
+        found = await self.backend.all_sessions()
+        entries = [Choosable(s.name, s.name, f"{when(s.updated)}  {s.turns} turns  {s.last[:40]}") for s in found]
+        current = self.bench.session.name if self.bench.session else ""
+        foot = "Enter opens; /rename NAME and /delete NAME in the chat"
+        chosen = await self.app.push_screen_wait(
+            Chooser("Sessions", entries, current, free="type to filter, or a new session's name", foot=foot, wide=True)
+        )
+        if chosen:
+            self.open_session(chosen)
+
+    async def do_rename(self, argument: str) -> None:
+        if not await self.bench.turns.may_begin():
+            return
+        if not argument:
+            self.chat.entry.put("/rename ")
+            return
+        from c2s_engine.session.errors import SessionError
+
+        old = self.session.name
+        try:
+            await self.backend.thread.do(lambda: self.backend.sessions.rename(old, argument))
+        except SessionError as error:
+            await self.chat.note(sentence(error), "error")
+            return
+        self.session.name = self.chat.border_subtitle = argument
+        self.app.remember(session=argument)
+        await self.chat.note(f"The session {old} is now called {argument}.")
+
+    async def do_delete(self, argument: str) -> None:
+        if not await self.bench.turns.may_begin():
+            return
+        names = {s.name for s in await self.backend.all_sessions()}
+        if not argument:
+            self.chat.entry.put("/delete ")
+        elif argument == self.session.name:
+            await self.chat.note("That session is open: /open another one first.", "error")
+        elif argument not in names:
+            await self.chat.note(f"There is no session {argument}; /open lists them.", "error")
+        else:
+            answers = {"d": ("delete", "delete it with all its turns"), "k": ("", "keep it")}
+            question = f"Delete the session {argument}? This cannot be undone."
+            self.app.push_screen(Confirm(question, answers), lambda answer: self._deleted(answer, argument))
+
+    async def _deleted(self, answer: str | None, name: str) -> None:
+        if answer == "delete":
+            await self.backend.thread.do(lambda: self.backend.sessions.delete(name))
+            await self.chat.note(f"The session {name} is deleted.")
+
+    async def do_new(self, argument: str) -> None:
+        taken = {s.name for s in await self.backend.all_sessions()}
+        self.open_session(argument or fresh_name(taken))

@@ -26,7 +26,7 @@ def examples(asked: Form) -> list[dict]:
 
 def test_a_reaction_is_no_phase_by_rule_and_by_example():
     ego = form("E", "Ego drives.")
-    assert "- reaction: how it answers what others do; never also a phase" in ego.system
+    assert "- reaction: how it reacts to what others do; never also a phase" in ego.system
     assert any(
         e.get("reaction") == "brake" and [p["action"] for p in e["phases"]] == ["lane_change"] for e in examples(ego)
     )

@@ -10,6 +10,7 @@ from c2s_engine.interpret.llm import interpret
 from c2s_engine.interpret.llm.components import ObjectSentence, Sentences, instructions
 from c2s_engine.interpret.llm.forms import Form, form_of
 from c2s_engine.interpret.llm.schema import accepts
+from c2s_engine.structure.specs import Trigger
 from tests.models.answers import asked_of
 from tests.models.measure_tokens import costs
 from tests.models.test_llm_typed import Plain
@@ -85,6 +86,25 @@ async def test_settings_that_the_splitter_missed_are_detected(server, client_of,
         reading = await interpret(text, client=client, embedded=Plain())
     assert not reading.fallbacks and reading.structure.settings.spec.weather == weather
     assert ("G" in map(asked_of, server.requests)) == bool(weather)
+
+
+@pytest.mark.parametrize(
+    ("text", "change", "when"),
+    [
+        ("5 s in, red gives way to green.", {"to": "green", "kind": "time", "value": 5}, {"kind": "time", "value": 5}),
+        ("30 m short of the line ego sees its signal go to amber.", {"to": "yellow", "kind": "place", "value": 30},
+         {"kind": "place", "value": 30, "place": "stop_line"}),
+    ],
+)  # fmt: skip
+async def test_a_light_that_changes_can_be_told_in_any_words(server, client_of, text, change, when):
+    certain = {"light": {"value": "red", "confidence": 1}, "light_changes": {"value": [change], "confidence": 1}}
+    forms = {"": {"ego": "Ego drives.", "objects": []}, "G": certain, "E": {}}
+    server.respond = lambda request: json.dumps(forms[asked_of(request)])
+    async with client_of(server) as client:
+        reading = await interpret(text, client=client, embedded=Plain())
+    spec = reading.structure.settings.spec
+    assert not reading.fallbacks and spec.light == "red"
+    assert [(c.to, c.when) for c in spec.light_changes] == [(change["to"], Trigger(**when))]
 
 
 @pytest.mark.full

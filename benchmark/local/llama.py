@@ -11,6 +11,9 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
+CACHE = 512
+"""Memory for prompts that were seen before, MiB (llama.cpp's own default, 8192, is much for a small machine)."""
+
 
 class Refused(Exception):
     """The request cannot be carried out; `status` is HTTP's."""
@@ -31,6 +34,7 @@ class Llama:
         params.n_ctx, params.n_parallel, params.verbosity = context, 1, 0
         params.cpuparams.n_threads = params.cpuparams_batch.n_threads = threads
         params.port, params.hostnames = 0, ["127.0.0.1"]
+        params.cache_ram_mib = CACHE
         self.context = context
         self._grammar = xllamacpp.json_schema_to_grammar
         self._server = xllamacpp.Server(params)  # listens as long as it is kept

@@ -19,6 +19,7 @@ from c2s_engine.models.errors import (
     ModelCutOff,
     ModelError,
     ModelMissing,
+    ModelNotFetched,
     ModelNotSet,
     NotRecorded,
 )
@@ -109,10 +110,15 @@ class OllamaClient:
             return ""
 
     async def pull(self, model: str) -> AsyncIterator[tuple[str, int, int]]:
-        """Fetch a model; yields (what is done, bytes so far, bytes in all)."""
+        """Fetch a model; yields (what is done, bytes so far, bytes in all). Raises ModelError."""
+        import ollama
+
         with faults.translated(self.settings, model):
-            async for step in await self.api.pull(model, stream=True):
-                yield step.status or "", int(step.completed or 0), int(step.total or 0)
+            try:
+                async for step in await self.api.pull(model, stream=True):
+                    yield step.status or "", int(step.completed or 0), int(step.total or 0)
+            except ollama.ResponseError as error:
+                raise ModelNotFetched(model, self.settings.host, str(error.error)) from None
 
     async def capabilities(self) -> frozenset[str]:
         """What Ollama says the model can do ("completion", "thinking", ...); asked once."""

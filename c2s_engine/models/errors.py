@@ -54,6 +54,19 @@ class ModelMissing(ModelError):
         super().__init__(f"Ollama at {host} has no model {model}: get it with `c2s models pull {model}`.")
 
 
+class ModelNotFetched(ModelError):
+    """The host cannot fetch a model."""
+
+    service = True
+
+    def __init__(self, model: str, host: str, reason: str) -> None:
+        detail = reason.strip().rstrip(".") or "no reason given"
+        super().__init__(
+            f"Ollama at {host} cannot fetch {model} ({detail}): check the name (`c2s models suggest` lists some) and "
+            "its connection to the internet."
+        )
+
+
 class ModelBusy(ModelError):
     """The host refused for now (429, 503)."""
 

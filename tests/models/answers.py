@@ -45,7 +45,7 @@ FORMS: dict[str, Any] = {
 
 def asked_of(request: dict[str, Any]) -> str:
     """Which component's form a request asks for; "" for the components themselves."""
-    match = re.search(r"Fill in the form of (\w+):", said(request))
+    match = re.search(r"Fill in the form for (\w+):", said(request))
     if match:
         return match[1]
     return "G" if "confidence" in json.dumps(request.get("format") or {}) else ""

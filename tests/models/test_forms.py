@@ -12,11 +12,9 @@ import yaml
 from pydantic import Field
 
 from c2s_engine.interpret.llm import offered, prose, settings, spoken
-from c2s_engine.interpret.llm.asking import prompt
 from c2s_engine.interpret.llm.components import ObjectSentence, Sentences, excerpt, instructions, sentences_schema
 from c2s_engine.interpret.llm.forms import Form, form_of
 from c2s_engine.interpret.llm.schema import accepts, spec_schema
-from c2s_engine.interpret.llm.settings import settings_schema
 from c2s_engine.interpret.llm.units import annotate, quantities
 from c2s_engine.require.paces import paces_of
 from c2s_engine.structure import vocabulary as v
@@ -89,8 +87,12 @@ def test_the_prose_names_what_the_schema_has_in_its_order(seed):
     for cid, form in drawn(seed):
         told, asked = prose_of(form), schema_of(form.schema)
         assert [t[:2] for t in told] == [a[:2] for a in asked], cid
-        for (_, name, said), (_, _, choices) in zip(told, asked, strict=True):
-            assert sorted(said) == sorted(choices), (cid, name)
+        assert in_any_order(told) == in_any_order(asked), cid
+
+
+def in_any_order(rows: list[tuple[int, str, list[str]]]) -> list[tuple[str, list[str]]]:
+    """The fields with their choices sorted."""
+    return [(name, sorted(choices)) for _, name, choices in rows]
 
 
 @pytest.mark.parametrize("seed", range(40))
@@ -112,24 +114,32 @@ def test_examples_are_answers_of_the_form_in_its_order(seed):
         assert f"({cid})" not in form.system, "an example that speaks of the form's own object as of another"
 
 
+@pytest.mark.parametrize("says", [SILENT, "The light turns green after 5 s."])
+def test_the_detector_tells_its_fields_as_every_form_does(says):
+    form, asked = settings.form_of(says), settings.asked(says)
+    assert in_any_order(prose_of(form)) == in_any_order(schema_of(asked))
+    values = {n: f.get("properties", {}).get("value", f) for n, f in form.schema["properties"].items()}
+    assert values == asked["properties"]
+    shown = [json.loads(line) for line in form.system.splitlines() if line.startswith("{")]
+    assert shown and not [fault for answer in shown if (fault := accepts(form.schema, answer))]
+
+
 def test_every_example_is_shown_by_some_form():
     """None is of fields that there are no more."""
     told = "\n".join(form.system for seed in range(40) for _, form in drawn(seed))
-    for kind in ("R", "E", "O", "thing", "T"):
+    told += settings.form_of("The light is red.").system
+    for kind in ("G", "R", "E", "O", "thing", "T"):
         for example in prose.table()[kind]["examples"]:
             pattern = re.escape(example["says"]).replace(r"\{other\}", r"\w+").replace(r"\{ahead\}", r"\w+")
             assert re.search(pattern, told), example["says"]
 
 
-def test_the_splitter_and_the_detector_tell_their_fields_in_order():
+def test_the_splitter_tells_its_fields_in_order():
     told = re.findall(r"^-+ (\w+):", instructions(), re.M)
     schema = sentences_schema()["properties"]
     objects = list(schema["objects"]["items"]["properties"])
     names = [n for name in schema for n in ((name, *objects) if name == "objects" else (name,))]
     assert told == names
-    for changes in (False, True):
-        detector = prompt("settings", weather="", times="", changes=settings.told(changes))
-        assert re.findall(r"^- (\w+):", detector, re.M) == list(settings_schema(changes)["properties"])
     assert all(t in instructions() for t in get_args(v.ObjectType))
 
 
@@ -158,6 +168,8 @@ def test_a_long_report_is_shown_in_its_part():
 
 def asked(case: dict[str, Any], says: str) -> set[str]:
     """`container.field` and `field=choice` of the form that a case is about, for such a text."""
+    if case.get("of") == "G":
+        return offers_of(settings.asked(says), "settings")
     others = tuple(ObjectSentence(type="van", sentence="A van.") for _ in range(case.get("others", 0)))
     told = ObjectSentence(type=case.get("type", "car"), sentence=SILENT)
     form = form_of(case.get("of", "O1"), says, Sentences(place=SILENT, ego=SILENT, objects=(told, *others)))
@@ -188,6 +200,7 @@ def test_what_is_offered_only_where_it_applies_is_not_where_a_text_says_nothing_
         assert not rare & asked(case, SILENT), case["says"]
     groups = [g for f in table["fields"].values() for n in f.values() for g in n["said"]]
     groups += [g for choices in table["choices"].values() for named in choices.values() for g in named]
+    groups += [g for named in table["asked"].values() for g in named]
     assert set(groups) == set(table["groups"])
 
 

@@ -34,7 +34,9 @@ def test_list_and_pull(server):
 
 def test_pulling_what_is_not_there_is_one_sentence(server):
     result = run("pull", "nonsense", "--host", server.host)
-    assert result.exit_code == 1 and "file does not exist" in result.output and "Traceback" not in result.output
+    *_, sentence = result.output.splitlines()
+    assert result.exit_code == 3 and "cannot fetch nonsense (pull model manifest: file does not exist)" in sentence
+    assert "c2s models suggest" in sentence and "Traceback" not in result.output
 
 
 def test_a_dead_host_is_one_sentence():

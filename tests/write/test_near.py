@@ -41,3 +41,17 @@ def test_the_program_says_gap_and_is_read_back():
     assert read is not None
     assert read["O1"].spec.phases[0].trigger == van.phases[0].trigger
     assert read.restrictions.spec.require == (near,)
+
+
+def test_a_lane_change_near_somebody_waits_for_its_gap(writer):
+    """No distance is told, but the gap that it leaves."""
+    near = Trigger(kind="distance", of="ego")
+    car = ObjectSpec(
+        name="car", placement=Placement(position="left_lane", along="behind", gap=30.0), speed=16.0,
+        phases=(Phase(action="lane_change", side="right", target="ego", gap=12.0, trigger=near),),
+    )  # fmt: skip
+    made = Structure(
+        place=Component(id="R", spec=PlaceSpec(kind="road", lanes=2)), ego=Component(id="E", spec=EgoSpec(speed=12.0)),
+        objects=(Component(id="O1", spec=car),),
+    )  # fmt: skip
+    assert "until ahead_by(ego, self" in writer.write(made, "O1").code

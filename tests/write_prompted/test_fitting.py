@@ -80,8 +80,8 @@ def test_who_runs_a_red_light_gives_ego_a_green_one():
 def test_what_is_written_later_is_not_to_be_named():
     s = structure()
     told = generator_question(s, "E", configuration("C1")).messages[1].content
-    assert "not to be named here: O1." in told and "withinDistanceToAnyObjs" in told
-    assert "not to be named" not in generator_question(s, "O1", configuration("C1")).messages[1].content
+    assert "do not name them here: O1." in told and "withinDistanceToAnyObjs" in told
+    assert "do not name them" not in generator_question(s, "O1", configuration("C1")).messages[1].content
 
 
 def test_a_repair_remembers_what_was_tried_and_sees_what_the_others_say():

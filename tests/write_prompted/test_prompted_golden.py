@@ -9,8 +9,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from c2s_engine.interpret.llm import words
-from c2s_engine.interpret.llm.asking import prompt
+from c2s_engine.interpret.llm import settings, words
 from c2s_engine.interpret.llm.components import ObjectSentence, Sentences, instructions
 from c2s_engine.interpret.llm.forms import form_of
 from c2s_engine.models import approximate_tokens
@@ -64,8 +63,8 @@ def forms() -> dict[str, str]:
     cases = yaml.safe_load((Path(__file__).parents[1] / "models" / "offered.yaml").read_text(encoding="utf-8"))
     everything = " ".join(case["says"] for case in cases)
     told |= {f"{cid} all": form_of(cid, everything, sentences).system for cid in sentences.ids[1:]}
-    detector = prompt("settings", weather=words.lines("weather"), times=words.lines("times"), changes="")
-    return {"components": instructions(), "G": detector, **told}
+    told["G all"] = settings.form_of(everything).system
+    return {"components": instructions(), "G": settings.form_of("").system, **told}
 
 
 @pytest.mark.parametrize("name", [*names(), TYPED])

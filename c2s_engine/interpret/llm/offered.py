@@ -32,6 +32,11 @@ def offer(schema: dict[str, Any], said: str, within: str = "form") -> None:
             offer(inner, said, name)
 
 
+def asks(cid: str, said: str) -> bool:
+    """Whether a scenario that says this is asked for a component that has no sentence."""
+    return _says(said, table()["asked"].get(cid, []))
+
+
 def _taken(properties: dict[str, Any], choices: dict[str, list[str]]) -> bool:
     """Whether the fields beside it offer a choice that takes it."""
     return all(set(taking) & set(properties.get(name, {}).get("enum", ())) for name, taking in choices.items())

@@ -5,8 +5,10 @@ from typing import Any, get_args
 
 from pydantic import BaseModel, ConfigDict
 
-from c2s_engine.interpret.llm import words
+from c2s_engine.interpret.llm import prose
 from c2s_engine.interpret.llm.asking import Asker, prompt
+from c2s_engine.interpret.llm.forms import Form
+from c2s_engine.interpret.llm.offered import offer
 from c2s_engine.interpret.llm.schema import limits
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Assumption, Unmet
@@ -17,11 +19,8 @@ ACCEPTED = 0.6
 
 BLUEPRINT = re.compile(r"[a-z]+(\.[a-z0-9_]+)+")
 TOWN = re.compile(r"Town\d\d(HD|_Opt)?")
-CHANGES_BY = {"place": "ego is value m before its stop line", "time": "value s after the start"}
+CHANGES_BY = ("place", "time")
 """By what a text tells when a light changes."""
-_CHANGES = re.compile(
-    r"\b(?:lights?|signals?)\b[^.;]{0,60}\b(?:turn|chang|switch|becom|go(?:es)?\b|jump)|"
-    r"\b(?:turn|chang|switch)\w*\s+(?:from\s+\w+\s+)?(?:to\s+)?(?:red|green|yellow|amber)\b", re.I)  # fmt: skip
 
 
 class Detected(BaseModel):
@@ -35,31 +34,40 @@ class Detected(BaseModel):
     unmet: tuple[Unmet, ...] = ()
 
 
-def settings_schema(changes: bool = False) -> dict[str, Any]:
-    """The schema of the detector's answer; `changes`: whether the light may change in the run."""
-
-    def confident(value: dict[str, Any]) -> dict[str, Any]:
-        confidence = {"type": "number", "minimum": 0, "maximum": 1}
-        return {
-            "type": "object",
-            "properties": {"value": value, "confidence": confidence},
-            "required": ["value", "confidence"],
-            "additionalProperties": False,
-        }
-
+def asked(text: str) -> dict[str, Any]:
+    """The schema of the settings that a text can tell of, without their confidences."""
     word = {"type": "string", "maxLength": limits()["lengths"]["string"]}
-    weather = {"type": "array", "items": _enum(v.Weather), "maxItems": limits()["lengths"]["weather"]}
-    return {
+    schema = {
         "type": "object",
         "properties": {
-            "map": confident(word),
-            "weather": confident(weather),
-            "time": confident(_enum(v.TimeOfDay)),
-            "light": confident(_enum(v.LightState)),
-            **({"light_changes": confident(_changes())} if changes else {}),
-            "ego_model": confident(word),
+            "map": word,
+            "weather": {"type": "array", "items": _enum(v.Weather), "maxItems": limits()["lengths"]["weather"]},
+            "time": _enum(v.TimeOfDay),
+            "light": _enum(v.LightState),
+            "light_changes": _changes(),
+            "ego_model": word,
             "unmet": {"type": "string", "maxLength": limits()["lengths"]["unmet"]},
         },
+        "additionalProperties": False,
+    }
+    offer(schema, text, "settings")
+    return schema
+
+
+def form_of(text: str) -> Form:
+    """The detector's form for a text: each setting with a confidence."""
+    plain = asked(text)
+    fields = {name: node if name == "unmet" else _sure(node) for name, node in plain["properties"].items()}
+    schema = {**plain, "properties": fields}
+    told = {"fields": prose.fields("G", plain), "examples": prose.examples("G", schema, [], [])}
+    return Form(prompt("settings", **told), schema)
+
+
+def _sure(value: dict[str, Any]) -> dict[str, Any]:
+    return {
+        "type": "object",
+        "properties": {"value": value, "confidence": {"type": "number", "minimum": 0, "maximum": 1}},
+        "required": ["value", "confidence"],
         "additionalProperties": False,
     }
 
@@ -86,15 +94,8 @@ def _change(said: dict[str, Any]) -> LightChange:
 
 async def detect(text: str, asker: Asker) -> Detected:
     """The settings of a text; raises ModelError."""
-    changes = bool(_CHANGES.search(text))
-    system = prompt("settings", weather=words.lines("weather"), times=words.lines("times"), changes=told(changes))
-    return await asker.form(system, text, settings_schema(changes), purpose="settings", component="G", build=accepted)
-
-
-def told(changes: bool) -> str:
-    """The detector's line on a light that changes; "": the text says nothing of one."""
-    by = "; ".join(f"{kind}: {means}" for kind, means in CHANGES_BY.items())
-    return f"\n- light_changes: in order, to what and when ({by})." if changes else ""
+    form = form_of(text)
+    return await asker.form(form.system, text, form.schema, purpose="settings", component="G", build=accepted)
 
 
 def accepted(found: dict[str, Any]) -> Detected:

@@ -4,7 +4,6 @@ Where an answer cannot be used, the embedded interpreter's answer for that compo
 counted in `fallbacks`, said in `notes`. Whatever the model answers, the result is a valid S.
 """
 
-import re
 from collections.abc import Callable
 from typing import Any, Protocol
 
@@ -14,7 +13,7 @@ from c2s_engine.interpret.llm import fallback, spoken, words
 from c2s_engine.interpret.llm.asking import Asker, OnEvent, prompt
 from c2s_engine.interpret.llm.components import Sentences, excerpt, link, read_components
 from c2s_engine.interpret.llm.forms import form_of
-from c2s_engine.interpret.llm.offered import untaken
+from c2s_engine.interpret.llm.offered import asks, untaken
 from c2s_engine.interpret.llm.schema import spec_class
 from c2s_engine.interpret.llm.settings import BLUEPRINT, Detected, detect
 from c2s_engine.interpret.llm.units import annotate
@@ -144,7 +143,7 @@ class TypedReader:
 
     async def _settings(self, text: str, sentences: Sentences) -> Detected:
         """The detector looks at the whole text: settings are often said in passing."""
-        if not sentences.settings and not _SETTINGS_WORDS.search(text):
+        if not sentences.settings and not asks("G", text):
             return Detected(spec=SettingsSpec())
         return await detect(text, self.asker)
 
@@ -214,8 +213,3 @@ def _mark(reason: str) -> Assumption:
 
 
 _OF_TWO = {"distance", "visible", "not_visible", "collision"}
-_SETTINGS_WORDS = re.compile(
-    r"\b(?:Town\d|weather|rain|drizzl|shower|fog|mist|snow|ice|icy|wind|gust|storm|wet|slipper|cloud|overcast|clear|"
-    r"sun|night|dark|dusk|dawn|day|morning|noon|evening|twilight|light|red|green|yellow|amber|vehicle\.)",
-    re.I,
-)

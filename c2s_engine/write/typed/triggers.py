@@ -267,6 +267,5 @@ def _at_gap(course: Course, phase: Phase, first: bool) -> str:
 def _sideways_into(course: Course, phase: Phase) -> bool:
     """Whether one comes over from abreast into whom it then hits: there is no gap for which it waits."""
     spec = course.actor.spec
-    after = spec.phases[spec.phases.index(phase) + 1 :]
     abreast = isinstance(spec, ObjectSpec) and spec.placement.along == "abreast"
-    return abreast and any(p.action == "collide" and p.target == phase.target for p in after)
+    return abreast and any(p.action == "collide" and p.target == phase.target for p in spec.phases)

@@ -9,6 +9,7 @@ from c2s_engine.session.requiring import judged
 from c2s_engine.session.steps import Emit, Tools
 from c2s_engine.session.trying import Tried
 from c2s_engine.solve import Outcome, solve, widened
+from c2s_engine.solve.search import MOST
 from c2s_engine.solve.widening import RUNS
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import RunFacts
@@ -16,8 +17,8 @@ from c2s_engine.structure.progress import StageDone, StageStarted
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.write.typed import TypedWriter
 
-AFTER_EDIT = {"most": 3}
-"""How far is searched after an edit: its verdict is waited for."""
+AFTER_EDIT = 3
+"""Runs that the search may cost after an edit: its verdict is waited for."""
 
 
 def can_solve(state: dict[str, Any], tools: Tools) -> bool:
@@ -69,7 +70,7 @@ async def solved(state: dict[str, Any], tools: Tools, emit: Emit) -> dict[str, A
         tuple(Requirement.model_validate(r) for r in state["requirements"]),
         tuple(Result.model_validate(r) for r in state["results"]),
     )
-    best = await solve(first, trials.run, room, **({} if _is_new(state) else AFTER_EDIT))
+    best = await solve(first, trials.run, room, most=MOST if _is_new(state) else AFTER_EDIT)
     if state.get("widen") and not best.failing:
         best = await _varied(best, trials, room, runs)
     elif best is not first and runs > 1:

@@ -57,11 +57,11 @@ class ResultsCommands(Part):
         found: list[Offer] = []
         async with self.bench.turns.lock:
             details, engine = self.session.details, self.backend.engine
-            where = {"map": details.get("map") or SHIPPED, "room": details.get("room", 1.0)}
+            name, room = details.get("map") or SHIPPED, details.get("room", 1.0)
             self.bench.turns.working = "looking for what contradicts"
             self.bench.show()
             try:
-                offers = partial(engine.contradictions, self.desk.structure, **where)
+                offers = partial(engine.contradictions, self.desk.structure, map=name, room=room)
                 async with aclosing(self.backend.events(offers)) as events:
                     async for offer in events:
                         found.append(offer)

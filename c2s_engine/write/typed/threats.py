@@ -10,6 +10,8 @@ from c2s_engine.write.typed.tables import FLAT, is_static, is_walker
 from c2s_engine.write.typed.usual import crosses
 
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
+NEAREST = 0.6
+"""The share of the room to which ego is to come near that it leaves."""
 FOG = 65
 """m that one sees in the fog: at motorway speeds just enough to stop."""
 STAYS = {"keep_lane", "move_along", "stationary", "wait", "go_straight"}
@@ -131,6 +133,15 @@ def on_foot(structure: Structure) -> list[str]:
     return [cid for cid, _ in objects if {"cross_road", "enter_road"} & does[cid] and "collide" not in does[cid]]
 
 
+def room_left(structure: Structure, cid: str) -> float | None:
+    """The m that S leaves to somebody as ego stands before them, or at the nearest; None: it says nothing."""
+    phases, require = getattr(structure.ego.spec, "phases", ()), getattr(structure.restrictions.spec, "require", ())
+    stops = [middle(p.clearance) for p in phases if p.action == "stop" and p.clearance and p.target in (None, cid)]
+    near = [NEAREST * c.maximum for c in require if c.kind == "closest" and c.maximum is not None
+            and {c.subject, c.other} == {"ego", cid}]  # fmt: skip
+    return min([*stops, *near], default=None)
+
+
 def is_stopped(spec: EgoSpec | ObjectSpec) -> bool:
     """Whether ego is told to come to a stand for who forces it to brake, which slowing down is not."""
     actions = [p.action for p in spec.phases]
@@ -184,6 +195,8 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
         return f"slows_down({other})"
     if action in ("start", "enter_road", "cross_road", "move_along"):
         return f"{other}.speed > 0.5"
+    if action == "reverse":
+        return f"backs({other}, {'self' if cid != 'ego' else 'ego'})"
     if action in ("turn_left", "turn_right", "go_straight", "run_red", "run_stop"):
         return f"{other}._intersection is not None"
     if action in (*lateral.LATERAL, "swerve", "drift", "oncoming", "lose_control"):

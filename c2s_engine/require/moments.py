@@ -244,4 +244,5 @@ def halts_before(requirement: Requirement, evidence: Evidence) -> Result:
     return scored(requirement, -1.0 if on_it else min(1.0, came - 1.0), said, seen, time)
 
 
-CHECKS = {"halts_before": halts_before, "gap_then": gap_then, "moves_aside": moves_aside, "delayed": delayed, "breaks_off": breaks_off}
+CHECKS = {"halts_before": halts_before, "gap_then": gap_then, "moves_aside": moves_aside, "delayed": delayed,
+          "breaks_off": breaks_off}  # fmt: skip

@@ -105,7 +105,8 @@ def _in_time(structure: Structure, requirement: Requirement, due: float, open_: 
     away = usual.speeds.get("E", 0.0)
     for component, path, grows in (
         (who, "placement.later", 1.0),
-        (who, "placement.gap", -_at_contact(structure, who, away) if _follows_another(spec) else _back(spec) * usual.speeds.get(who, 0.0)),
+        (who, "placement.gap", -_at_contact(structure, who, away) if _follows_another(spec)
+         else _back(spec) * usual.speeds.get(who, 0.0)),
         (who, "phases.0.trigger", 1.0),
         (who, "placement.gap", -away if usual.speeds.get(who, 0.0) and who in usual.later else 0.0),
         ("R", "distance", -away),

@@ -67,8 +67,9 @@ class Phase(Spec):
     part: v.Part | None = Field(None, description="collide: the part of itself that touches first")
     target_part: v.Part | None = Field(None, description="collide: the part of `target` that is struck")
     abandoned: bool = Field(
-        False, description="begun and broken off: lane_change, cut_in, overtake back to its own lane before it is over; "
-        "cross_road as far as the road's edge"
+        False,
+        description="begun and broken off: lane_change, cut_in, overtake back to its own lane before it is over; "
+        "cross_road as far as the road's edge",
     )
     clearance: Metres | None = Field(
         None,

@@ -67,14 +67,15 @@ def constants(structure: Structure, cid: str, plan: Plan) -> list[str]:
     walks_into = is_walker(spec.type) and first is not None and first.action == "collide"
     if not (crosses(spec) or walks_into) or _ego_stays(structure, plan):
         return []
-    again, later, name = _comes_again(structure, cid, spec), middle(spec.placement.later or 0.0), scope.constant(structure, cid)
+    again, later = _comes_again(structure, cid, spec), middle(spec.placement.later or 0.0)
+    name = scope.constant(structure, cid)
     due = {} if _stated(spec) else {"ARRIVES": _arrival(structure, cid, spec, plan, again)}
     if again:
         due["RETURNS"] = round(_struck_at(structure, cid, spec, plan, max(middle(pace_of(spec)), 0.5)), 2)
     met = "RETURNS" if again else "ARRIVES"
     if later and met in due:
         due[met] = round(low(due[met]) + later, 2), round(high(due[met]) + later, 2)
-    where = "at the kerb, by its way" if first is not None and first.abandoned else "in the middle of its way, unhindered"
+    where = "at the kerb, by its way" if first and first.abandoned else "in the middle of its way, unhindered"
     return [f"{name}_{when} = {scope.quantity(seconds)}  # s after ego {where}" for when, seconds in due.items()]
 
 
@@ -169,7 +170,8 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
         own = scope.quantity(phase.speed) if phase.speed is not None and i > 0 else usual
         until = f" for {scope.quantity(phase.duration)} seconds" if phase.duration is not None else ""
         waits = then is not None and (
-            then.trigger and not until or _crosses_next(then) and (then is again or not begun) and phase.action not in ACROSS
+            then.trigger and not until
+            or _crosses_next(then) and (then is again or not begun) and phase.action not in ACROSS
         )
         if phase.until is not None:
             until = f" until {watched(structure, plan, phase.until, cid)}"

@@ -132,7 +132,8 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     s, rate = actor.structure, scope.number(late_rate(hard))
     strikers = _strikers(s, cids)
     met = [c for c in cids if c in hit or None in hit or c in strikers]
-    others = [c for c in cids if c not in met]
+    answered = {c for p in actor.spec.phases if p.action == "brake" for c in (p.target, p.trigger and p.trigger.of)}
+    others = [c for c in cids if c not in met and c not in answered]  # for these it brakes of its own accord
     things = [scope.reference(s, c) for c in sorted(map(str, hit)) if c in s and _beside(s, c) and _stands(s, c)]
     far = "".join(f"not near(self, {one}) and " for one in things)
     near, seen = "".join(f" or near(self, {one})" for one in things), once_seen(s, others)

@@ -1,13 +1,13 @@
 """Who may come into ego's way, and from when ego can see them."""
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed import lateral, scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.stations import at_door
 from c2s_engine.write.typed.tables import FLAT, is_static, is_walker
-from c2s_engine.write.typed.usual import crosses
+from c2s_engine.write.typed.usual import crosses, pace_of
 
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
 NEAREST = 0.6
@@ -180,6 +180,18 @@ def _stops_ego(structure: Structure) -> bool:
     return False
 
 
+def _runs_on(spec: object) -> float:
+    """The speed (m/s) by which it can be seen that somebody crosses who came onto the road slower before; 0: nobody
+    did."""
+    phases = spec.phases if isinstance(spec, ObjectSpec) else ()
+    before = [p for p in phases[:1] if p.action == "enter_road"]
+    later = [p for p in phases[1:] if p.action == "cross_road" and p.speed is not None]
+    if not before or not later or not isinstance(spec, ObjectSpec):
+        return 0.0
+    slow, fast = high(before[0].speed or pace_of(spec)), low(later[0].speed or 0.0)
+    return round((slow + fast) / 2, 1) if fast > slow + 0.5 else 0.0
+
+
 def observed(structure: Structure, other: str, cid: str, action: str | None) -> str:
     """What can be seen of another's action while it is at it."""
     spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
@@ -193,6 +205,8 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
         return f"speeds_up({other})"
     if action == "brake":
         return f"slows_down({other})"
+    if action == "cross_road" and (faster := _runs_on(spec)):
+        return f"{other}.speed > {scope.number(faster)}"
     if action in ("start", "enter_road", "cross_road", "move_along"):
         return f"{other}.speed > 0.5"
     if action == "reverse":

@@ -56,8 +56,6 @@ def watched(structure: Structure, plan: Plan, t: Trigger, own: str, name: str = 
             if seen.startswith("*in_view"):  # it comes out
                 return seen[1:]
             shows = observed(structure, other, t.of or "ego", t.action)
-            if own == "E" and shows == f"{other}.speed > 0.5":
-                shows = f"noticed(self, [{other}], lambda one: one.speed < 0.5)"
             return f"{shows} and {seen[1:]}" if seen.startswith("*in_") else shows
         case _:
             return _there(structure, plan, t, subject, cid, value or 0.0)

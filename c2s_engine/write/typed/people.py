@@ -108,7 +108,7 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, again
         covered = inside(by) if isinstance(by, ObjectSpec) else 0.0
         seen = (way_out(structure, spec, plan.place) - covered) / pace
         needed = _to_slow(structure, plan) - seen
-        surprises, stays = by is not None or at_door(structure, spec) or again, stays or again
+        surprises, stays = by is not None or at_door(structure, spec) or again is not None, stays or again is not None
         ahead = max(0.0, needed if stays else min(needed, IN_WAY / pace)) if surprises else 0.0
         if not stays and room_left(structure, cid) is not None:  # it is there yet as ego stands
             ahead = max(ahead - IN_WAY / pace / 2, -BEHIND)

@@ -72,11 +72,12 @@ def _tied(structure: Structure, cid: str | None) -> tuple[tuple[str, ObjectSpec]
     """Who sets out first, and who is hit that sets out after it, nobody says where."""
     spec = structure[cid].spec if cid and cid in structure else None
     trigger = spec.phases[0].trigger if isinstance(spec, ObjectSpec) and spec.phases else None
-    other = structure[trigger.of].spec if trigger and trigger.kind == "action" and trigger.of in structure else None
+    first = trigger.of if trigger and trigger.kind == "action" else None
+    other = structure[first].spec if first and first in structure else None
     if not isinstance(spec, ObjectSpec) or not isinstance(other, ObjectSpec) or trigger is None or not cid:
         return None
     open_ = spec.placement.gap is None and not spec.placement.hidden_by and not other.placement.hidden_by
-    return ((str(trigger.of), other), (cid, spec)) if open_ and crosses(spec) and crosses(other) else None
+    return ((str(first), other), (cid, spec)) if open_ and crosses(spec) and crosses(other) else None
 
 
 def _seconds(spec: ObjectSpec, place: PlaceSpec) -> float:

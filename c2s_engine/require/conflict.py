@@ -154,6 +154,8 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
             p.action == "overtake" and p.target == named for p in scene.ego.phases)  # fmt: skip
         spec = scene.objects.get(named)
         doings = [p for p in spec.phases if p.action in THREATS] if spec is not None else []
+        if any(p.abandoned for p in doings[:1]):  # it stays beside the road
+            return []
         elsewhere = bool(doings) and all(p.target not in (None, EGO) for p in doings)  # what it does is about others
         return [named] if spec is not None and not followed and not elsewhere else []
     return [actor for actor, spec in scene.objects.items() if _threatens(spec)]

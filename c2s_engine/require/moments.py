@@ -16,7 +16,7 @@ from c2s_engine.structure.specs import Phase
 
 OVER_LINE = ("cut_in", "cut_out", "lane_change")
 SLOWS = ("brake", "stop")
-SETS_OUT = ("enter_road", "cross_road", "move_along")
+SETS_OUT = ("enter_road", "cross_road", "move_along", "reverse")
 """What begins as somebody who stood sets out, long before it is seen on the road."""
 SIDEWAYS = (*OVER_LINE, "swerve", "drift")
 LANE = 3.5
@@ -231,4 +231,18 @@ def breaks_off(requirement: Requirement, evidence: Evidence) -> Result:
     return scored(requirement, margin, said, seen, float(motion.time[out[0]]))
 
 
-CHECKS = {"gap_then": gap_then, "moves_aside": moves_aside, "delayed": delayed, "breaks_off": breaks_off}
+def halts_before(requirement: Requirement, evidence: Evidence) -> Result:
+    """It goes towards the road, and comes to a stand before it is on a lane."""
+    motion, said = evidence.motion(requirement.actor), "as far as the road's edge"
+    if motion is None:
+        return unknown(requirement, said, "not reached: it is not there")
+    came = float(np.hypot(motion.x - motion.x[0], motion.y - motion.y[0]).max())
+    moving = np.flatnonzero(motion.speed >= STANDING)
+    evidence.times[requirement.id] = time = float(motion.time[moving[-1]]) if len(moving) else None
+    on_it = {"enter_road", "cross_road"} & {e.event for e in motion.facts.events}
+    seen = f"{came:.1f} m, {'onto the road' if on_it else 'and stays off the road'}"
+    return scored(requirement, -1.0 if on_it else min(1.0, came - 1.0), said, seen, time)
+
+
+CHECKS = {"halts_before": halts_before, "gap_then": gap_then, "moves_aside": moves_aside, "delayed": delayed,
+          "breaks_off": breaks_off}  # fmt: skip

@@ -20,6 +20,8 @@ AT_JUNCTION = ("turn_left", "turn_right", "go_straight", "run_red", "run_stop")
 BY_SPEED = ("brake", "stop", "accelerate", "start", "wait", "stationary")
 """Seen on the tracks, so that a second braking is seen too; the others by the events of the run."""
 SLOWS = ("stop", "brake", "wait")
+SHARE = 0.5
+"""Of a small change of speed that S says, what must be seen."""
 LASTING = ("keep_lane", "follow", "stationary", "move_along", "oncoming", "wait")
 """States rather than moments: their order says nothing."""
 
@@ -42,11 +44,14 @@ def required(scene: Scene) -> Iterator[Requirement]:
         values: dict[str, Value] = {"action": "wait" if stands else phase.action, "events": shows}
         if actor in before:
             values["after"] = before[actor]
+        if (change := _change(scene, actor, i)) is not None:
+            values["change"] = change
         if phase.duration is not None and scene.stated(_cid(actor), f"{path}.duration"):
             values["duration"] = low(phase.duration)
         towards = f" ({scene.named(phase.target)})" if phase.target else ""
         check = "breaks_off" if phase.abandoned and phase.action in moments.OVER_LINE else "shown"
-        said += " begun and broken off" if check == "breaks_off" else ""
+        check = "halts_before" if phase.abandoned and phase.action == "cross_road" else check
+        said += " begun and broken off" if check != "shown" else ""
         seen = scene.make("phase", check, actor, f"{path}.{phase.action}", f"{name}: {said}{towards}.",
                           other=phase.target, **values)  # type: ignore[arg-type]  # fmt: skip
         yield seen
@@ -72,7 +77,16 @@ def _leaves_later(scene: Scene, actor: str, i: int) -> bool:
 def _broken_off(scene: Scene, actor: str, i: int) -> bool:
     """Whether somebody who crosses stops on the way over, or turns back."""
     after = scene.actors[actor].phases[i + 1 : i + 2]
-    return any(p.action in ("stop", "stationary", "wait", "leave_road") for p in after)
+    return any(p.action in ("stop", "stationary", "wait", "leave_road", "reverse") for p in after)
+
+
+def _change(scene: Scene, actor: str, i: int) -> float | None:
+    """By how much (m/s) S says that a phase changes the speed; None: it does not say it."""
+    phases = scene.actors[actor].phases
+    one, two = (scene.speed(actor, p, f"phases.{k}.speed") for k, p in ((i - 1, phases[i - 1]), (i, phases[i])))
+    if i == 0 or phases[i].action not in ("brake", "accelerate") or one is None or two is None:
+        return None
+    return max(abs(sum(two) - sum(one)) / 2, 0.1)
 
 
 def _cid(actor: str) -> str:
@@ -151,7 +165,8 @@ def shown(requirement: Requirement, evidence: Evidence) -> Result:
 def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action: str, earliest: float) -> float | None:
     """When an actor shows an action: the first time after what is said before, else the first at all."""
     if action in BY_SPEED:
-        times = by_speed(motion, action, float(requirement.values.get("duration", 1.0)))  # type: ignore[arg-type]
+        v = requirement.values
+        times = by_speed(motion, action, float(v.get("duration", 1.0)), float(v.get("change", np.inf)))  # type: ignore[arg-type]
     else:
         partners = {o.name for o in evidence.members(requirement.other)} if requirement.other else None
         events = requirement.values["events"]
@@ -193,13 +208,13 @@ def _cut_short(motion: Motion, action: str) -> list[float]:
     return [inside[-1].time] if going[action] else []
 
 
-def by_speed(motion: Motion, action: str, duration: float) -> list[float]:
-    """When it brakes, gains speed, comes to a stand, sets out, or stands for a while (s)."""
+def by_speed(motion: Motion, action: str, duration: float, change: float = np.inf) -> list[float]:
+    """When it brakes, gains speed, comes to a stand, sets out, or stands for a while (s); `change`: m/s that S says."""
     speed, limits = motion.smooth, bounds()["phase"]
     if action in ("brake", "accelerate"):
         sign = -1 if action == "brake" else 1
         changes = stretches(sign * motion.acceleration > limits["change_rate"]["value"] / 2)
-        need = limits["change"]["value"]
+        need = min(limits["change"]["value"], SHARE * change)
         return [motion.time[a] for a, b in changes if sign * (speed[b] - speed[a]) > need]
     standing = stretches(motion.speed < STANDING)
     if action == "stop":
@@ -298,7 +313,7 @@ def near_place(requirement: Requirement, evidence: Evidence) -> Result:
     if str(requirement.values.get("action")) in moments.SIDEWAYS:
         time = moments.onset(motion, str(requirement.values["action"]), time)
     at = motion.at(time)
-    if kind == "merge" and requirement.values.get("action") == "brake":  # where that is over
+    if kind in ("merge", "crosswalk") and requirement.values.get("action") == "brake":  # where that is over
         slower = motion.acceleration[at:] > -bounds()["phase"]["change_rate"]["value"] / 2
         at += int(slower[5:].argmax()) + 5 if slower[5:].any() else len(slower) - 1
     front = float(motion.of_course("along")[at]) + motion.size[0] / 2

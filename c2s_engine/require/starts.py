@@ -86,7 +86,8 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
         least, most = low(place.lateral), high(place.lateral)
         text = f"{name} starts with {least:g} m between it and {of} across the road."
         yield scene.make("start", "lateral", actor, "placement.lateral", text, other=place.of, least=least, most=most)
-    timed = place.arrives is not None and scene.stated(actor, "placement.arrives")
+    halts = any(p.action == "cross_road" and p.abandoned for p in spec.phases)  # beside ego's way
+    timed = place.arrives is not None and not halts and scene.stated(actor, "placement.arrives")
     if place.arrives is not None and timed and place.position in (*OFF_LANES, "intersection_exit"):
         least, most = low(place.arrives), high(place.arrives)
         where = "ego's way" if spec.type in VEHICLES else "the middle of ego's way"

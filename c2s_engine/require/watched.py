@@ -105,7 +105,7 @@ def comes_about(requirement: Requirement, evidence: Evidence) -> float | None:
         found = evidence.contacts(str(v["subject"]), str(v["than"]))
         return found[0].time if found else None
     if kind == "seen":
-        return other.visible_from() if v["subject"] == EGO else None
+        return (other if v["subject"] == EGO else one).visible_from() if EGO in (v["subject"], v["than"]) else None
     holds = _of_two(kind, one, other, value)
     first = np.flatnonzero(holds)
     return float(one.time[first[0]]) if len(first) else None

@@ -11,8 +11,10 @@ from c2s_engine.solve.reaching import further
 from c2s_engine.solve.unknowns import Move, Setting, Unknown, component_of, find
 from c2s_engine.structure.components import ComponentId, Structure
 from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.write.typed.usual import crosses
 from c2s_engine.write.typed.usual_values import Usual
 
 AFTER = 3.0
@@ -103,7 +105,8 @@ def _in_time(structure: Structure, requirement: Requirement, due: float, open_: 
     away = usual.speeds.get("E", 0.0)
     for component, path, grows in (
         (who, "placement.later", 1.0),
-        (who, "placement.gap", _back(spec) * usual.speeds.get(who, 0.0)),
+        (who, "placement.gap", -_at_contact(structure, who, away) if _follows_another(spec)
+         else _back(spec) * usual.speeds.get(who, 0.0)),
         (who, "phases.0.trigger", 1.0),
         (who, "placement.gap", -away if usual.speeds.get(who, 0.0) and who in usual.later else 0.0),
         ("R", "distance", -away),
@@ -111,6 +114,17 @@ def _in_time(structure: Structure, requirement: Requirement, due: float, open_: 
         unknown = find(open_, component, path)
         if unknown is not None and grows and (move := unknown.set_to(unknown.value + grows * due, 2)):
             yield move
+
+
+def _follows_another(spec: object) -> bool:
+    """Whether somebody crosses ego's way when another does something: only where it does is open."""
+    return isinstance(spec, ObjectSpec) and crosses(spec) and any(p.trigger is not None for p in spec.phases[:1])
+
+
+def _at_contact(structure: Structure, who: str, speed: float) -> float:
+    """How fast (m/s) ego is as it hits somebody, where S says it; else `speed`."""
+    hits = [p.speed for p in getattr(structure.ego.spec, "phases", ()) if p.action == "collide" and p.target == who]
+    return middle(hits[0]) if hits and hits[0] is not None else speed
 
 
 def _back(spec: object) -> float:

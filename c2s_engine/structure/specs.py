@@ -67,11 +67,14 @@ class Phase(Spec):
     part: v.Part | None = Field(None, description="collide: the part of itself that touches first")
     target_part: v.Part | None = Field(None, description="collide: the part of `target` that is struck")
     abandoned: bool = Field(
-        False, description="begun and broken off: lane_change, cut_in, overtake back to its own lane before it is over"
+        False,
+        description="begun and broken off: lane_change, cut_in, overtake back to its own lane before it is over; "
+        "cross_road as far as the road's edge",
     )
     clearance: Metres | None = Field(
         None,
-        description="room to `target`, m: stop as it stands before it; swerve, keep_lane at the least as it goes by",
+        description="room to `target`, m: stop as it stands before it; swerve, keep_lane at the least as it goes by; "
+        "cross_road abandoned: to the road's edge",
     )
     trigger: Trigger | None = None
     until: Trigger | None = Field(None, description="what ends it; default: it ends by itself or as the next begins")

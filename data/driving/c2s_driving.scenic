@@ -562,11 +562,11 @@ behavior EmergencyStop(points, threats, rate=8):
     do Drive(points, 0) for 1 seconds
     do Drive(points, 0) until _force(self, threats) <= 0 and not blocked(self, _those(threats))
 
-behavior StopShortOf(points, walkers, speed, rate=3.5, stands=False):
-    """Slow down from `speed` so as to stop short of those on foot, braking at `rate` m/s2, until they have gone by; come
-    to a stand first where it `stands`."""
+behavior StopShortOf(points, walkers, speed, rate=3.5, stands=False, room=3):
+    """Slow down from `speed` so as to stop `room` m short of those on foot, braking at `rate` m/s2, until they have gone
+    by; come to a stand first where it `stands`."""
     slow = 0.2 if stands else math.inf
-    pace = lambda: short_of(self, points, walkers, speed, rate)
+    pace = lambda: 0 if stands and _gone_by(self, walkers) else short_of(self, points, walkers, speed, rate, room)
     do Drive(points, pace, rate=9) until self.speed < slow and _gone_by(self, walkers)
     if stands:
         do Drive(points, 0) for 1 seconds
@@ -683,10 +683,12 @@ def seconds_to(car, points, metres):
         here += step
     return time
 
-def sets_out(self, car, points, speed, arrives, rate=math.inf):
+def sets_out(self, car, points, speed, arrives, rate=math.inf, metres=None):
     """Whether one beside the road has to set out across it now, at `speed` (m/s, gained at `rate` m/s2), to be in the
-    middle of the way of `car`, its points, `arrives` s after its front would be there; or `car` stands for it already."""
-    there, metres = along_line(points, self.position)
+    middle of the way of `car`, its points, `arrives` s after its front would be there, or so many metres on; or `car`
+    stands for it already."""
+    there, across = along_line(points, self.position)
+    metres = across if metres is None else metres
     gained = speed ** 2 / (2 * rate)
     time = metres / speed + speed / (2 * rate) if metres > gained else math.sqrt(2 * metres / rate)
     if car.speed < 0.3:
@@ -746,6 +748,12 @@ def to_far_side(self, points, heading):
 
 
 # Lights: where a simulator has them, as CARLA does
+
+def to_kerb(self, heading, room):
+    """How far (m) it is in a direction (rad) to `room` m before the edge of the driving lanes."""
+    def on_lane(metres):
+        return network.laneRegion.containsPoint(self.position.offsetRotated(heading, Vector(0, metres)))
+    return max(0, next((k / 10 for k in range(200) if on_lane(k / 10)), 0) - room)
 
 monitor Lights(turn=None, shown='green', turns_green=False):
     """Traffic lights that suit who is on the way: everybody who drives comes to green ones. Where ego's `turn`
@@ -883,6 +891,13 @@ def blocked(car, others, within=40):
 def most_need(car, others):
     """The greatest `need` of all of them."""
     return max([0, *[need(car, other) for other in others]])
+
+def backs(other, car):
+    """Whether `other` moves backwards or, on foot, away from the way of `car`."""
+    if getattr(other, 'isVehicle', False):
+        return other.velocity.rotatedBy(-other.heading).y < -0.3
+    place, motion = [v.rotatedBy(-car.heading) for v in (other.position - car.position, other.velocity)]
+    return place.x * motion.x > 0 and abs(motion.x) > 0.3
 
 def passed(other, car, further=10, margin=1):
     """Whether `other` has gone `margin` m past the spot `further` m ahead of `car`, seen along its own way."""

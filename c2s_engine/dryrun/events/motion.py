@@ -96,10 +96,16 @@ def slow(seen: Seen, situation: Situation) -> int | None:
 
 
 def reverse(seen: Seen, situation: Situation) -> int | None:
-    """The step at which it has gone backwards far enough (vehicles)."""
-    if not seen.drives:
-        return None
+    """The step at which it has gone backwards far enough; on foot: back the way it came."""
     limits = definitions()["reverse"]
+    if not seen.drives:
+        moving = np.flatnonzero(seen.speed > 0.2)
+        if not len(moving):
+            return None
+        first = np.array([seen.vx[moving[0]], seen.vy[moving[0]]]) / seen.speed[moving[0]]
+        gone = (seen.xy - seen.xy[0]) @ first
+        back = np.flatnonzero(np.maximum.accumulate(gone) - gone > limits.distance)
+        return int(back[0]) if len(back) else None
     back = np.concatenate([[0.0], np.maximum(0.0, -seen.forward[1:])]) * situation.step
     for a, b in stretches(seen.forward < -0.05):
         total = np.cumsum(back[a : b + 1])

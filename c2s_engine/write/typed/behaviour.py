@@ -69,7 +69,8 @@ def _steps(course: Course) -> list[Step]:
     if not phases or phases[0].trigger is not None or implicit(course, phases[0]):
         done.append(([course.drive(SLOW if course.actor.sets_out else None)], ""))
     for i, phase in enumerate(phases):
-        condition = stated(course, phase) if phase.trigger else implicit(course, phase, i == 0)
+        ended = i > 0 and phases[i - 1].until is not None  # what comes before lasts until that
+        condition = stated(course, phase) if phase.trigger else "" if ended else implicit(course, phase, i == 0)
         if condition:
             if not done:
                 done.append(([course.drive()], ""))

@@ -1,12 +1,13 @@
 """Running into another: on the way to it, and from shortly before at it, until both touch."""
 
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.tables import LANE_WIDTH, MOVES_OFF_ROAD, is_static
 from c2s_engine.write.typed.threats import slowed
-from c2s_engine.write.typed.usual import SETS_OUT
+from c2s_engine.write.typed.usual import SETS_OUT, crosses
 
 LATE = "clock() > 12"
 """When whoever is to hit another no longer waits for that one to slow down."""
@@ -16,6 +17,8 @@ SLOWER = 1.0
 """m/s by which one who is slower than ego falls behind it."""
 STOPS_AT = 6
 """m/s2 at which those brake who have hit another."""
+FULL, BUILT_UP = 7.0, 6.0
+"""m/s2 at which one brakes that then touches another slowly, and what that comes to, the pedal's way included."""
 SIDEWAYS = frozenset(
     ("overtake", "lane_change", "cut_in", "cut_out", "swerve", "drift", "lose_control", "oncoming", "leave_road")
 )
@@ -34,7 +37,10 @@ def collides(c: Course, p: Phase) -> list[Step]:
     """The steps up to the contact: as it drives until both touch, where paths and times make them; nobody aims."""
     sets_off = not c.value and "start" in _before(c, p)
     other, goal = c.actor.ref(p.target), c.wanted(p, SETS_OUT if sets_off else c.value)
+    late = slows_too_late(c, p)
     c.set(goal)
+    if late:
+        return [([c.drive(scope.number(goal), FULL)], f"until touch(self, {other})"), _stands(c)]
     beside = _beside_the_lane(c, p) if c.actor.is_ego else ""
     if _over_the_middle(c) or beside == "oncoming_lane":
         return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], f"until touch(self, {other})"), _stands(c)]
@@ -89,6 +95,18 @@ def _before(c: Course, p: Phase) -> set[str]:
 def _drives_on(c: Course, other: str) -> list[Step]:
     """As before until both touch: it does not look, or nobody gives way."""
     return [([c.drive()], f"until touch(self, {other})"), _stands(c)]
+
+
+def slows_too_late(c: Course, p: Phase) -> str:
+    """When ego brakes that then hits somebody who crosses, at a speed below its own: so near that full braking takes it
+    down to that; "": it does not."""
+    spec = c.other(p.target)
+    if not c.actor.is_ego or p.action != "collide" or p.speed is None or spec is None or not crosses(spec):
+        return ""
+    goal = middle(p.speed)
+    if goal > c.value - SLOWER:
+        return ""
+    return f"until ahead_by({c.actor.ref(p.target)}, self) < (self.speed ** 2 - {round(goal**2)}) / {2 * BUILT_UP:g}"
 
 
 def _stands(c: Course) -> Step:

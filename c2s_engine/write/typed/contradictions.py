@@ -89,8 +89,8 @@ def contradictions() -> tuple[Contradiction, ...]:
 FITS = {
     "gap": ("cut_in", "cut_out", "lane_change", "overtake", "brake", "stop", "follow"),
     "lateral_speed": ("lane_change", "cut_in", "cut_out", "swerve", "drift"),
-    "abandoned": ("lane_change", "cut_in", "overtake"),
-    "clearance": ("stop", "swerve", "keep_lane"),
+    "abandoned": ("lane_change", "cut_in", "overtake", "cross_road"),
+    "clearance": ("stop", "swerve", "keep_lane", "cross_road"),
 }
 """The actions of which a phase can say a field."""
 OVER_BY_ITSELF = ("turn_left", "turn_right", "go_straight", "u_turn", "run_red", "run_stop", "collide", "cut_in")
@@ -112,7 +112,7 @@ def misplaced(actors: dict[str, EgoSpec | ObjectSpec], ramp: bool) -> ResolveErr
             if phase.until is not None and phase.action in OVER_BY_ITSELF:
                 why = f"{path}.until ends no {action}: it is over when it is done"
                 return ResolveError(f"{why}. Leave it out, or give the next phase a trigger", (f"{path}.until",))
-            if phase.clearance is not None and phase.target is None:
+            if phase.clearance is not None and phase.target is None and phase.action != "cross_road":
                 why = f"{path}.clearance is the room to somebody: say to whom by its target"
                 return ResolveError(why, (f"{path}.clearance", f"{path}.target"))
             if phase.trigger is not None and phase.trigger.place == "merge_end" and not ramp:

@@ -97,7 +97,9 @@ def _small(c: Course, cid: str) -> bool:
 
 
 def _met(structure: Structure) -> list[str]:
-    """Those who come towards ego in the lane beside its own."""
+    """Those who come towards ego in the lane beside its own, and make way for it."""
     objects = [(o.id, o.spec) for o in structure.objects if isinstance(o.spec, ObjectSpec)]
     coming = [i for i, o in objects if o.placement.position == "oncoming_lane" and is_vehicle(o.type)]
+    aside = {"drift", "swerve", "leave_road", "lane_change"}
+    coming = [i for i in coming if aside & {p.action for p in getattr(structure[i].spec, "phases", ())}]
     return [scope.reference(structure, i) for i in coming if not is_static(structure[i].spec)]  # type: ignore[arg-type]

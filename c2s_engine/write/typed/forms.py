@@ -7,6 +7,8 @@ from c2s_engine.write.typed.facing import facing
 from c2s_engine.write.typed.hiding import standing
 from c2s_engine.write.typed.passing import passing
 from c2s_engine.write.typed.pockets import own_ways
+from c2s_engine.write.typed.sequence import in_sequence
+from c2s_engine.write.typed.slowing import slowing
 from c2s_engine.write.typed.tables import OBSTRUCTING, TURN, is_static, is_vehicle
 from c2s_engine.write.typed.threats import IN_WAY, passed_over
 from c2s_engine.write.typed.waiting import together
@@ -17,7 +19,7 @@ AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
 
 def normal(structure: Structure) -> Structure:
     """S as the writer reads it."""
-    structure = own_ways(beside_ego(together(structure)))
+    structure = own_ways(beside_ego(together(in_sequence(slowing(structure)))))
     place, ego = structure.place.spec, structure.ego.spec
     assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
     turn = _turn(place, ego)

@@ -2,13 +2,13 @@
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import Quantity, high, low, middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.meetings import way_of_ego
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import at_door, inside, way_out
 from c2s_engine.write.typed.tables import LANE_NAME, LENGTH, MOVES_OFF_ROAD, WIDTH, is_walker
-from c2s_engine.write.typed.threats import is_hit
+from c2s_engine.write.typed.threats import is_hit, room_left
 from c2s_engine.write.typed.usual import crosses, pace_of, walks_first
 from c2s_engine.write.typed.watching import watched, watches
 
@@ -25,16 +25,30 @@ NEAR_MISS = (0.45, 0.85)
 """s by which somebody has left the middle of ego's way and `IN_WAY` before ego is there that does nothing about it."""
 DRAWN = 0.2
 """s within which the moment is drawn that S leaves open."""
+BEHIND = 0.5
+"""s after ego would be there by which somebody is in its way yet."""
 BRAKES = 7.0
 """m/s2 at which ego stops for who comes out in front of it."""
 TO_STOP = 0.7
 """s that ego needs for that besides: to see it, to react, and room to spare."""
+SLOWS = 3.0
+"""m/s2 at which it slows down for who it sees in time."""
+SLOWED = 0.25
+"""m/s within which it has."""
 RIDER_GAINS = 1.5
 """m/s2"""
 ANSWERS = {"brake", "stop", "wait", "yield", "swerve", "lane_change", "overtake"}
 """What ego does of its own accord for who is in its way."""
 SHORT_OF_LANE = 2.5
 """m from the middle of ego's way to where those stand who let it pass."""
+SHORT_OF_KERB = 0.5
+"""m before the road's edge where those halt who do not cross after all."""
+AT_KERB = 2.0
+"""s before ego is level with them by which they are there."""
+STARTLED = 0.5
+"""s in which somebody on foot does something about what comes into view."""
+STEPS_BACK = 1.5
+"""m that somebody on foot goes back who has come too far."""
 PULLS_OUT = 2.4
 """m/s2 at which one pulls out from the kerb."""
 BACKS_OUT = 3
@@ -51,15 +65,28 @@ def constants(structure: Structure, cid: str, plan: Plan) -> list[str]:
     assert isinstance(spec, ObjectSpec)
     first = next((p for p in spec.phases if p.action in ACROSS), None)
     walks_into = is_walker(spec.type) and first is not None and first.action == "collide"
-    if not (crosses(spec) or walks_into) or _ego_stays(structure, plan) or _stated(spec):
+    if not (crosses(spec) or walks_into) or _ego_stays(structure, plan):
         return []
-    later = middle(spec.placement.later or 0.0)
-    due = _arrival(structure, cid, spec, plan)
-    arrives = scope.quantity((round(low(due) + later, 2), round(high(due) + later, 2)) if later else due)
-    return [f"{scope.constant(structure, cid)}_ARRIVES = {arrives}  # s after ego in the middle of its way, unhindered"]
+    again, later = _comes_again(structure, cid, spec), middle(spec.placement.later or 0.0)
+    name = scope.constant(structure, cid)
+    due = {} if _stated(spec) else {"ARRIVES": _arrival(structure, cid, spec, plan, again)}
+    if again:
+        due["RETURNS"] = round(_struck_at(structure, cid, spec, plan, max(middle(pace_of(spec)), 0.5)), 2)
+    met = "RETURNS" if again else "ARRIVES"
+    if later and met in due:
+        due[met] = round(low(due[met]) + later, 2), round(high(due[met]) + later, 2)
+    where = "at the kerb, by its way" if first and first.abandoned else "in the middle of its way, unhindered"
+    return [f"{name}_{when} = {scope.quantity(seconds)}  # s after ego {where}" for when, seconds in due.items()]
 
 
-def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Quantity:
+def _comes_again(structure: Structure, cid: str, spec: ObjectSpec) -> Phase | None:
+    """The second crossing of somebody on foot who has halted on the way, or gone back, and then meets ego."""
+    across = [p for p in spec.phases if p.action in ("cross_road", "enter_road")]
+    again = across[1] if len(across) > 1 and across[1].trigger is None else None
+    return again if is_walker(spec.type) and _meets(structure, cid, spec) else None
+
+
+def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, again: Phase | None) -> Quantity:
     """How long (s) after ego's front somebody is in the middle of ego's way, if neither reacts.
 
     Where S leaves it open: so that they touch where S says so; that ego can just stop where it reacts; that ego takes
@@ -68,23 +95,36 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Qu
     pace = max(middle(pace_of(spec)), 0.5)
     if spec.placement.arrives is not None:
         return spec.placement.arrives
-    if _meets(structure, cid, spec):
+    if _meets(structure, cid, spec) and not again:
         return round(_struck_at(structure, cid, spec, plan, pace), 2)
     at = next(i for i, p in enumerate(spec.phases) if p.action in ACROSS)
+    if spec.phases[at].abandoned:
+        return -AT_KERB
     stays = spec.phases[at].action == "enter_road" or _stays(spec.phases[at + 1 : at + 2])
     if spec.phases[at].action == "cross_road" and _stays(spec.phases[at + 1 : at + 2]):
-        ahead = max(GONE / pace, TO_STOP + plan.ego_top / (2 * BRAKES))
+        ahead = max(GONE / pace, _to_slow(structure, plan))
     elif _ego_reacts(structure):
         by = structure[spec.placement.hidden_by].spec if spec.placement.hidden_by else None
         covered = inside(by) if isinstance(by, ObjectSpec) else 0.0
         seen = (way_out(structure, spec, plan.place) - covered) / pace
-        needed = TO_STOP + plan.ego_top / (2 * BRAKES) - seen
-        surprises = by is not None or at_door(structure, spec)
+        needed = _to_slow(structure, plan) - seen
+        surprises, stays = by is not None or at_door(structure, spec) or again is not None, stays or again is not None
         ahead = max(0.0, needed if stays else min(needed, IN_WAY / pace)) if surprises else 0.0
+        if not stays and room_left(structure, cid) is not None:  # it is there yet as ego stands
+            ahead = max(ahead - IN_WAY / pace / 2, -BEHIND)
     else:
         least, most = (round(IN_WAY / pace + clear, 2) for clear in NEAR_MISS)
         return -most, -least
     return round(-ahead - DRAWN, 2), round(0.0 - ahead, 2)
+
+
+def _to_slow(structure: Structure, plan: Plan) -> float:
+    """How long (s) before ego would be there somebody is for whom it slows down, or stops, as S says."""
+    phase = next((p for p in getattr(structure.ego.spec, "phases", ()) if p.action in ("brake", "stop")), None)
+    goal = middle(phase.speed) if phase is not None and phase.action == "brake" and phase.speed is not None else 0.0
+    rate = middle(phase.rate) if phase is not None and phase.rate is not None else SLOWS if goal else BRAKES
+    top = max(plan.ego_top, 1.0)
+    return TO_STOP + max(top**2 - goal**2, 0.0) / (2 * rate * top)
 
 
 def _struck_at(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, pace: float) -> float:
@@ -120,7 +160,7 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
     phases = spec.phases or (Phase(action="stationary" if spec.speed == 0 else "move_along"),)
     across = f"self.heading {'-' if spec.placement.side == 'left' else '+'} 90 deg"
     heading = across if walks_first(spec) else "self.heading"
-    usual = f"{scope.constant(structure, cid)}_SPEED"
+    usual, again = f"{scope.constant(structure, cid)}_SPEED", _comes_again(structure, cid, spec)
     lines = [f"line = {_egos_way(plan)}"] if any(map(_by_egos_way, phases)) else []
     begun = False
     for i, phase in enumerate(phases):
@@ -130,7 +170,8 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
         own = scope.quantity(phase.speed) if phase.speed is not None and i > 0 else usual
         until = f" for {scope.quantity(phase.duration)} seconds" if phase.duration is not None else ""
         waits = then is not None and (
-            then.trigger and not until or _crosses_next(then) and not begun and phase.action not in ACROSS
+            then.trigger and not until
+            or _crosses_next(then) and (then is again or not begun) and phase.action not in ACROSS
         )
         if phase.until is not None:
             until = f" until {watched(structure, plan, phase.until, cid)}"
@@ -143,6 +184,12 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
                     lines.append(f"do Stand() for {scope.quantity(phase.trigger.delay)} seconds")
             lines.append(f"do Walk({heading}, {own}, {_how_far(structure, cid, phase, then, heading)}){until}")
             heading, begun = "self.heading", True
+        elif phase.action == "reverse":
+            lasts = until if phase.duration is not None or phase.until is not None else ""
+            lines.append(f"do Walk(self.heading + 180 deg, {own}{'' if lasts else f', {STEPS_BACK}'}){lasts}")
+            heading = "self.heading + 180 deg"
+            if until != lasts:
+                lines.append(f"do Stand(){until}")
         elif phase.action == "leave_road":
             back = "self.heading + 180 deg" if phase.side in (None, spec.placement.side or "right") else "self.heading"
             lines.append(f"do Walk({back}, {own}, to_far_side(self, line, {back})){until}")
@@ -150,12 +197,27 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
             if phase.action == "yield" and not until:
                 other = scope.reference(structure, phase.target) if phase.target else "ego"
                 until = f" until passed({other}, self, 0)"
-            lines.append(f"do Stand(){until or ('' if then is None else ' for 2 seconds')}")
+            lines.append(f"do Stand(){until or ('' if then is None else _stands_until(structure, cid, then))}")
         else:
             lines.append(f"do Walk(self.heading, {own}){until or ('' if then is None else ' for 2 seconds')}")
-        if then is not None and waits and then.trigger and then.trigger.delay is not None:
-            lines.append(f"{lines[-1].removesuffix(until)} for {scope.quantity(then.trigger.delay)} seconds")
+        if then is not None and waits and then.trigger and (delay := _delay(then.trigger)):
+            lines.append(f"{lines[-1].removesuffix(until)} for {scope.quantity(delay)} seconds")
     return lines
+
+
+def _stands_until(structure: Structure, cid: str, then: Phase) -> str:
+    """How long one stands before what comes next: 2 s, or until ego, which answers to that, has slowed down before."""
+    ego = getattr(structure.ego.spec, "phases", ())
+    for before, phase in zip(ego, ego[1:], strict=False):
+        t = phase.trigger
+        if t and (t.kind, t.of, t.action) == ("action", cid, then.action) and before.action == "brake" and before.speed:
+            return f" until ego.speed < {scope.number(round(middle(before.speed) + SLOWED, 1))}"
+    return " for 2 seconds"
+
+
+def _delay(t: Trigger) -> Quantity | None:
+    """How long after what it waits for somebody on foot does something (s): what it sees takes it by surprise."""
+    return t.delay if t.delay is not None or t.kind != "seen" else STARTLED
 
 
 def _by_egos_way(phase: Phase) -> bool:
@@ -242,6 +304,8 @@ def _meets(structure: Structure, cid: str, spec: ObjectSpec) -> bool:
 
 def _how_far(structure: Structure, cid: str, phase: Phase, then: Phase | None, heading: str) -> str:
     """To the other side of the road, or as far as what comes next asks; who comes onto it is in ego's way then."""
+    if phase.abandoned:
+        return f"to_kerb(self, {heading}, {scope.number(middle(phase.clearance or SHORT_OF_KERB))})"
     remains = then is None and phase.action == "enter_road" and _ego_reacts(structure)
     returns = then is not None and then.action == "leave_road"
     if remains or returns or then is not None and _stays((then,)):
@@ -270,5 +334,8 @@ def _sets_out(
     if _ego_stays(structure, plan):
         return "clock() >= 2"
     gained = f", {scope.number(rate)}" if rate else ""
-    found = f"sets_out(self, ego, line, {speed}, {scope.constant(structure, cid)}_ARRIVES{gained})"
+    when = "RETURNS" if phase is _comes_again(structure, cid, spec) else "ARRIVES"
+    if phase.abandoned:
+        gained += f", metres={_how_far(structure, cid, phase, None, 'self.heading')}"
+    found = f"sets_out(self, ego, line, {speed}, {scope.constant(structure, cid)}_{when}{gained})"
     return f"{found} or {scope.reference(structure, cid)}.speed > 0.3" if spec.count > 1 else found

@@ -21,6 +21,7 @@ from c2s_engine.write.typed.threats import (
     is_stopped,
     once_seen,
     passed_over,
+    room_left,
     threatening,
 )
 from c2s_engine.write.typed.threats import on_foot as threats_on_foot
@@ -88,7 +89,7 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
             brakes = f"do Drive(line, 0, rate=lambda: max({scope.number(rate)}, min(9, 1.1 * {force}))) until {over}"
         return _around(statements, threats, limit, brakes)
     others = [] if spec.react_to else once_seen(actor.structure, [c for c in cids if c not in on_foot])
-    before_them = stands and not stops_for.isdisjoint({None, *on_foot})
+    before_them = _ends_standing(actor.structure) or stands and not stops_for.isdisjoint({None, *on_foot})
     return [
         *_around(statements, others, limit, _brakes(others, rate, stands=limit if stands else 0) if others else ""),
         *_stop_for(actor, on_foot, spec.hard, before_them),
@@ -131,13 +132,15 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     s, rate = actor.structure, scope.number(late_rate(hard))
     strikers = _strikers(s, cids)
     met = [c for c in cids if c in hit or None in hit or c in strikers]
-    others = [c for c in cids if c not in met]
+    answered = {c for p in actor.spec.phases if p.action == "brake" for c in (p.target, p.trigger and p.trigger.of)}
+    others = [c for c in cids if c not in met and c not in answered]  # for these it brakes of its own accord
     things = [scope.reference(s, c) for c in sorted(map(str, hit)) if c in s and _beside(s, c) and _stands(s, c)]
     far = "".join(f"not near(self, {one}) and " for one in things)
     near, seen = "".join(f" or near(self, {one})" for one in things), once_seen(s, others)
     brakes = f"do Drive(line, 0, rate={rate}) until {_force(seen)} <= 0{near}" if seen else ""
     lines = _around(statements, seen, 6, brakes, when=far)
-    movers = [c for c in met if not (_beside(s, c) and _stands(s, c))]
+    slowed = {p.target for p in actor.spec.phases if p.action == "collide" and p.speed is not None}  # its way says so
+    movers = [c for c in met if not (_beside(s, c) and _stands(s, c)) and not (c in slowed and _crosses(s, c))]
     for c in movers:
         one = scope.reference(s, c)
         need = f"need(self, {one})"
@@ -185,10 +188,18 @@ def _stop_for(actor: Actor, on_foot: list[str], hard: bool, stands: bool) -> lis
     limit, rate = (5.0, 7.0) if hard else (3.0, 3.5)
     they = ", ".join(every(s, c) for c in on_foot)
     more = (f", rate={scope.number(rate)}" if hard else "") + (", stands=True" if stands else "")
+    room = _room(actor, on_foot)
+    more += f", room={scope.number(room)}" if room is not None else ""
     return [
         f"interrupt when {_force([in_sight(s, c) for c in on_foot])} > {scope.number(limit)}:",
         f"    do StopShortOf(line, [{they}], {actor.speed}{more})",
     ]
+
+
+def _room(actor: Actor, on_foot: list[str]) -> float | None:
+    """The m that S leaves to those on foot as ego stands, or at the nearest; None: it says nothing."""
+    rooms = [room for cid in on_foot if (room := room_left(actor.structure, cid)) is not None]
+    return min(rooms, default=None)
 
 
 def heeding(actor: Actor, statements: list[str]) -> list[str]:

@@ -39,6 +39,8 @@ LONGEST_APPROACH = 130.0
 """m before a junction from which somebody comes who meets ego there."""
 SEEN_RUNNING = 1.8
 """s before it is in ego's way for which an animal is seen that comes running."""
+SEEN_WALKING = 3.0
+"""s for which somebody is seen who walks up to the road and halts there."""
 BAY = 1.2
 """m from the road to who stands in a bay or a driveway."""
 BEHIND_WALK = 2.5
@@ -205,7 +207,9 @@ def near_exit(spec: ObjectSpec) -> bool:
 def outwards(spec: ObjectSpec) -> float:
     """From the road's edge to the middle of what is beside it."""
     out = {"sidewalk": 3.0, "parked": 1.6}.get(spec.placement.position, 1.5)
-    if spec.type == "animal" and crosses(spec):  # it comes running
+    if any(p.action == "cross_road" and p.abandoned for p in spec.phases):  # it walks up to the road
+        out = max(out, round(SEEN_WALKING * middle(pace_of(spec)), 1))
+    elif spec.type == "animal" and crosses(spec):  # it comes running
         return max(out, round(SEEN_RUNNING * middle(pace_of(spec)) - 1.75, 1))
     if is_walker(spec.type):
         return out

@@ -1,15 +1,17 @@
 """Who may come into ego's way, and from when ego can see them."""
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed import lateral, scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.stations import at_door
 from c2s_engine.write.typed.tables import FLAT, is_static, is_walker
-from c2s_engine.write.typed.usual import crosses
+from c2s_engine.write.typed.usual import crosses, pace_of
 
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
+NEAREST = 0.6
+"""The share of the room to which ego is to come near that it leaves."""
 FOG = 65
 """m that one sees in the fog: at motorway speeds just enough to stop."""
 STAYS = {"keep_lane", "move_along", "stationary", "wait", "go_straight"}
@@ -131,6 +133,15 @@ def on_foot(structure: Structure) -> list[str]:
     return [cid for cid, _ in objects if {"cross_road", "enter_road"} & does[cid] and "collide" not in does[cid]]
 
 
+def room_left(structure: Structure, cid: str) -> float | None:
+    """The m that S leaves to somebody as ego stands before them, or at the nearest; None: it says nothing."""
+    phases, require = getattr(structure.ego.spec, "phases", ()), getattr(structure.restrictions.spec, "require", ())
+    stops = [middle(p.clearance) for p in phases if p.action == "stop" and p.clearance and p.target in (None, cid)]
+    near = [NEAREST * c.maximum for c in require if c.kind == "closest" and c.maximum is not None
+            and {c.subject, c.other} == {"ego", cid}]  # fmt: skip
+    return min([*stops, *near], default=None)
+
+
 def is_stopped(spec: EgoSpec | ObjectSpec) -> bool:
     """Whether ego is told to come to a stand for who forces it to brake, which slowing down is not."""
     actions = [p.action for p in spec.phases]
@@ -169,6 +180,18 @@ def _stops_ego(structure: Structure) -> bool:
     return False
 
 
+def _runs_on(spec: object) -> float:
+    """The speed (m/s) by which it can be seen that somebody crosses who came onto the road slower before; 0: nobody
+    did."""
+    phases = spec.phases if isinstance(spec, ObjectSpec) else ()
+    before = [p for p in phases[:1] if p.action == "enter_road"]
+    later = [p for p in phases[1:] if p.action == "cross_road" and p.speed is not None]
+    if not before or not later or not isinstance(spec, ObjectSpec):
+        return 0.0
+    slow, fast = high(before[0].speed or pace_of(spec)), low(later[0].speed or 0.0)
+    return round((slow + fast) / 2, 1) if fast > slow + 0.5 else 0.0
+
+
 def observed(structure: Structure, other: str, cid: str, action: str | None) -> str:
     """What can be seen of another's action while it is at it."""
     spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
@@ -182,8 +205,12 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
         return f"speeds_up({other})"
     if action == "brake":
         return f"slows_down({other})"
+    if action == "cross_road" and (faster := _runs_on(spec)):
+        return f"{other}.speed > {scope.number(faster)}"
     if action in ("start", "enter_road", "cross_road", "move_along"):
         return f"{other}.speed > 0.5"
+    if action == "reverse":
+        return f"backs({other}, {'self' if cid != 'ego' else 'ego'})"
     if action in ("turn_left", "turn_right", "go_straight", "run_red", "run_stop"):
         return f"{other}._intersection is not None"
     if action in (*lateral.LATERAL, "swerve", "drift", "oncoming", "lose_control"):

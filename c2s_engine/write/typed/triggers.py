@@ -4,7 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import ahead, lateral, scope, traffic
-from c2s_engine.write.typed.collisions import hit_beside, hit_next
+from c2s_engine.write.typed.collisions import hit_beside, hit_next, slows_too_late
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.facing import AHEAD
 from c2s_engine.write.typed.overtakings import pulls_out
@@ -16,18 +16,21 @@ from c2s_engine.write.typed.threats import (
     beside_way,
     is_stopped,
     on_foot,
+    once_seen,
     shown,
     standing,
     threatening,
 )
 from c2s_engine.write.typed.towards import before_standing, in_next_lane, opposite_standing
-from c2s_engine.write.typed.usual import crosses, speed_of
+from c2s_engine.write.typed.usual import crosses, slows_before, speed_of
 from c2s_engine.write.typed.watching import METRES, watched, watches
 
 CAN_STOP = 10
 """Twice the m/s2 at which one stops for a light that changes."""
 TOO_LATE = 1.5
 """s before the contact at which one brakes who then hits another."""
+BEFORE_IT = 2.0
+"""m before a crosswalk by which one has slowed down for it."""
 TO_END = 6.0
 """m before the end of an acceleration lane at which the middle of one is who stops there."""
 FORCED = {"brake", "stop", "swerve", "lane_change"}
@@ -50,6 +53,10 @@ def stated(course: Course, phase: Phase) -> str:
             return found
         if phase.action == "cut_in" and course.value > course.target_speed(phase) + 0.3:  # once it is that far ahead
             return f"until ahead_by(self, {course.actor.ref(t.of)}) > {scope.number(value or METRES)}"
+    if t.place == "crosswalk" and t.value is None and phase.action in ("brake", "stop"):  # it is that slow by then
+        goal = 0.0 if phase.action == "stop" else course.wanted(phase, course.value / 2)
+        metres = slows_before(course.value, goal, middle(phase.rate) if phase.rate else 3.0).value
+        t = t.model_copy(update={"value": round(middle(metres or 0.0) + BEFORE_IT, 1)})
     if t.kind == "time" and t.delay is not None:
         t = t.model_copy(update={"value": (value or 0) + middle(t.delay)})
     condition = watched(course.actor.structure, course.actor.plan, t, course.actor.cid)
@@ -72,6 +79,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     said = phase.trigger is not None or phase.action == "stop" and phase.clearance is not None
     if said or before and before[-1].action == "collide":
         return ""
+    if until := slows_too_late(course, phase):
+        return until
     if first and (until := comes_out(a.structure, a.cid, a.plan, phase, course.wanted(phase, a.value or 2))):
         return until
     if phase.action in ("lane_change", "cut_in") and course.on_ramp:
@@ -89,11 +98,13 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         still = cid is not None and (o := course.other(cid)) is not None and is_static(o)
         limit = (2 if still else 1.2) if aside else 4 if hard else 2
         seen = shown(a.structure, cid) if cid else ""
+        them = once_seen(a.structure, [cid])[0] if cid else a.ref(cid)
+        need = f"most_need(self, [{them}])" if them.startswith("*") else f"need(self, {them})"
         met = any(p.action == "collide" for p in a.spec.phases)
         also = f" or near(self, {a.ref(cid)})" if met else ""
         if phase.action == "stop" and is_stopped(a.spec) and not on_foot(a.structure) and a.value > 0:
             also += " or self.speed < 0.5"  # it was forced to
-        return f"until {seen + ' and ' if seen else ''}need(self, {a.ref(cid)}) > {limit}{also}"
+        return f"until {seen + ' and ' if seen else ''}{need} > {limit}{also}"
     if a.is_ego and phase.action == "stop" and (cid := _stopped_for(course, phase)):
         return f"until (distance from self to {a.ref(cid)}) < 14 + self.speed ** 2 / 6"
     if phase.action == "stop" and not a.is_ego and first and (cid := opposite_standing(course)):

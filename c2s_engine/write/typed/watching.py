@@ -7,10 +7,12 @@ from c2s_engine.structure.triggers import is_watched
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME
-from c2s_engine.write.typed.threats import observed
+from c2s_engine.write.typed.threats import observed, once_seen
 
 METRES, SECONDS, SPEED = 25.0, 3.0, 5.0
 """m, s, m/s where no value is given."""
+ONTO_ROAD = ("cross_road", "enter_road")
+"""What ego can answer only once it sees it."""
 SAME = 0.45
 """m/s within which a speed is reached."""
 FLASHES = {"flashing": "yellow", "dark": "off"}
@@ -48,9 +50,13 @@ def watched(structure: Structure, plan: Plan, t: Trigger, own: str, name: str = 
             state = FLASHES.get(t.light or "green", t.light or "green")
             return f"getClosestTrafficLightStatus({subject}) == '{state}'"
         case "seen":
-            return _seen(structure, subject, other, t.of)
+            return _seen(structure, subject, other, (t.of, cid))
         case "action":
-            return observed(structure, other, t.of or "ego", t.action)
+            seen = once_seen(structure, [t.of])[0] if own == "E" and t.of and t.action in ONTO_ROAD else ""
+            if seen.startswith("*in_view"):  # it comes out
+                return seen[1:]
+            shows = observed(structure, other, t.of or "ego", t.action)
+            return f"{shows} and {seen[1:]}" if seen.startswith("*in_") else shows
         case _:
             return _there(structure, plan, t, subject, cid, value or 0.0)
 
@@ -68,10 +74,10 @@ def _other(structure: Structure, subject: str) -> str:
     return "ego" if subject != "ego" or not structure.objects else structure.objects[0].id
 
 
-def _seen(structure: Structure, subject: str, other: str, cid: str | None) -> str:
-    """That nothing is in the line of sight that S names as hiding it; near enough where nothing does."""
-    spec = structure[cid].spec if cid and cid in structure else None
-    by = spec.placement.hidden_by if isinstance(spec, ObjectSpec) else None
+def _seen(structure: Structure, subject: str, other: str, cids: tuple[str | None, ...]) -> str:
+    """That nothing is in the line of sight that S names as hiding one of the two; near enough where nothing does."""
+    specs = [structure[cid].spec for cid in cids if cid and cid in structure]
+    by = next((s.placement.hidden_by for s in specs if isinstance(s, ObjectSpec) and s.placement.hidden_by), None)
     if by is None:
         return f"({subject} can see {other})"
     return f"not hides({scope.reference(structure, by)}, {subject}.position, {other}.position)"

@@ -19,9 +19,9 @@ FOLLOWED = 4.3
 MERGES = 30.0
 """m before the end of the acceleration lane by which one begins to change lanes."""
 TO_RAMP_END = 6.0
-"""s from the start until ego is on the acceleration lane, about."""
+"""s from the start until ego is on the acceleration lane: a guess, too."""
 ACCELERATION_LANE = 250.0
-"""m, on most maps."""
+"""m, a guess while the map is not known: on longer or shorter lanes those that are let by come too early or late."""
 SLOWS = 3.0
 """m/s2 at which ego does."""
 SETTLES = 0.5

@@ -22,6 +22,7 @@ from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result, Value
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
+from c2s_engine.structure.triggers import gives_way_by
 
 THREATS = ("cut_in", "cross_road", "enter_road", "run_red", "run_stop", "oncoming", "reverse", "drift", "u_turn",
            "lose_control", "stationary", "stop", "brake")  # fmt: skip
@@ -114,7 +115,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
             beside: dict[str, Value] = {"others": others} if others else {}
             yield scene.make("reaction", "reacts", EGO, f"reaction.{actor}", f"Ego reacts to {name} once it can be "
                              "seen, in time, and not before.", other=actor,
-                             action=_onset_of(scene.objects[actor]), hard=scene.ego.hard,
+                             action=_onset_of(scene, actor), hard=scene.ego.hard,
                              **beside)  # type: ignore[arg-type]  # fmt: skip
 
 
@@ -149,6 +150,8 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
     answering = (p for p in scene.ego.phases if answers(p, scene.structure))
     named = scene.ego.react_to or next((t for p in answering for t in _whom(p) if t), None)
     if named is not None and named != EGO:
+        if gives_way_by(scene.ego):  # the moment of that is required
+            return []
         # whom it overtakes of its own accord
         followed = scene.ego.reaction == "follow" and any(
             p.action == "overtake" and p.target == named for p in scene.ego.phases)  # fmt: skip
@@ -174,8 +177,11 @@ def _threatens(spec: ObjectSpec) -> bool:
     return bool(aimed and any(a not in AHEAD_ONLY for a in actions)) or (bool(actions) and ahead)
 
 
-def _onset_of(spec: ObjectSpec) -> str:
-    """The action with which the threat begins; '' where it is one from the start."""
+def _onset_of(scene: Scene, actor: str) -> str:
+    """The action with which the threat begins: the one that ego waits for; '' where it is one from the start."""
+    spec, waits = scene.objects[actor], (p.trigger for p in scene.ego.phases if p.trigger is not None)
+    if told := next((t.action for t in waits if t.kind == "action" and t.of == actor), None):
+        return told
     turns = next((p.action for p in spec.phases if p.action in TURNS), "")
     if turns and spec.placement.position not in APPROACHES:  # from beside ego, having slowed for it
         return turns
@@ -354,7 +360,7 @@ def _needed(actor: str, evidence: Evidence, hard: bool) -> float:
 def _onset(motion: Motion, action: str) -> float | None:
     """When the threat begins: when it first moves sideways, brakes, sets out; None where it is there from the start."""
     limits: dict[str, Any] = bounds()["reaction"]
-    if action in ("cut_in", "drift", "lose_control", "oncoming"):
+    if action in ("cut_in", "cut_out", "lane_change", "swerve", "drift", "lose_control", "oncoming"):
         aside = motion.of_course("aside")
         moved = np.abs(aside - aside[0]) > limits["aside"]["value"]
     elif action in ("brake", "stop"):

@@ -26,6 +26,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
     )  # fmt: skip
     if not ids:
         return
+    then = [f"{'E' if actor == EGO else actor}.phases.{i}.{p.action}" for actor, i, p in scene.phases()
+            if i and p.action in ("follow", "stationary", "wait")]  # fmt: skip
     timed = max((high(p.trigger.value) for _, _, p in scene.phases()
                  if p.trigger and p.trigger.kind == "time" and p.trigger.value is not None), default=0.0)  # fmt: skip
     if any(p.trigger and p.trigger.place == "merge_end" for _, _, p in scene.phases()):
@@ -36,7 +38,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
     spec = scene.structure.restrictions.spec
     if getattr(spec, "duration", None) is None or not scene.stated("T", "duration"):
         yield scene.make("pace", "soon_over", EGO, "pace.over", "The run is over soon after the last of what is said.",
-                         component="T", of=ids, lasting=lasting, reacts=scene.ego.reaction != "none",
+                         component="T", of=ids, then=tuple(then), lasting=lasting, reacts=scene.ego.reaction != "none",
                          round=scene.place.kind == "roundabout")  # fmt: skip
     yield scene.make("pace", "not_cut_short", EGO, "pace.whole", "The run does not end amid what somebody is doing.",
                      component="T")  # fmt: skip
@@ -65,7 +67,11 @@ def _last(requirement: Requirement, moments: list[float], evidence: Evidence) ->
         float(m.time[len(m.speed) - 1 - int((m.speed[::-1] >= STANDING).argmax())])
         for m in evidence.everybody if m.moves and m.speed[-1] < STANDING
     ]  # fmt: skip
-    return max([*moments, *left, *stands, *_braked(requirement, evidence), *(c.time for c in evidence.facts.contacts)])
+    follows = bounds()["pace"]["follows"]["value"]
+    then = [t + follows * str(key).endswith("follow") for key in requirement.values["then"]  # type: ignore[union-attr]
+            if (t := evidence.times.get(str(key))) is not None]  # fmt: skip
+    contacts = [c.time for c in evidence.facts.contacts]
+    return max([*moments, *then, *left, *stands, *_braked(requirement, evidence), *contacts])
 
 
 def _seen(requirement: Requirement, evidence: Evidence) -> Iterator[tuple[str, str, Motion]]:

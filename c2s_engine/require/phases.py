@@ -1,6 +1,7 @@
 """Every phase that S says is seen: by its actor, towards its partner, to its side, at its place, in S's order."""
 
 from collections.abc import Iterator
+from copy import copy
 
 import numpy as np
 
@@ -262,8 +263,11 @@ def awaited(requirement: Requirement, evidence: Evidence) -> Result:
         time = evidence.times.get(key)
         if motion is not None and time is not None and action in moments.SETS_OUT:  # it can be seen from then on
             evidence.times[key] = moments.onset(motion, action, time)
-    result = in_order(requirement, evidence)
     first = evidence.times.get(str(v["first"]))
+    if cause is not None and first is not None and str(v["its"]) in moments.SIDEWAYS:  # seen as it begins
+        evidence, times = copy(evidence), evidence.times
+        evidence.times = {**times, str(v["first"]): moments.onset(cause, str(v["its"]), first)}
+    result = in_order(requirement, evidence)
     if result.holds is not False or first is None or str(v["action"]) in moments.SETS_OUT:
         return result
     again = [_moment(requirement, evidence, m, str(requirement.values["action"]), first)

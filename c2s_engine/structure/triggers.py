@@ -1,7 +1,7 @@
 """Triggers in words, and which of them say of themselves whom they watch."""
 
 from c2s_engine.structure.quantity import high, low
-from c2s_engine.structure.specs import Trigger
+from c2s_engine.structure.specs import EgoSpec, Trigger
 
 _KINDS = ("apart", "passed", "speed", "light", "seen", "contact")
 _PLACES = ("stop_line", "in_intersection", "past_intersection", "bend")
@@ -11,6 +11,13 @@ def is_watched(t: Trigger, actor: str | None = None) -> bool:
     """Whether a trigger reads the same whatever waits for it: it watches something else than the way of `actor`, who
     waits, to whom it names. The others depend on what is done then."""
     return t.kind in _KINDS or t.place in _PLACES or t.subject not in (None, actor)
+
+
+def gives_way_by(ego: EgoSpec) -> bool:
+    """Whether ego's own phases say how it gives way to whom it yields: they wait for how far that one has come."""
+    watched = [t for p in ego.phases for t in (p.trigger, p.until) if t and t.kind in ("passed", "ttc", "distance")]
+    names = {name for t in watched for name in (t.subject, t.of)}
+    return ego.reaction == "yield" and ego.react_to is not None and ego.react_to in names
 
 
 def clause(t: Trigger, one: str, other: str) -> str:

@@ -838,6 +838,11 @@ def need(car, other):
         return 9
     return max(least, closing ** 2 / (2 * max(gap - 2 - 0.5 * max(motion.y, 0), 0.3)))
 
+def into(car, other, speed):
+    """The deceleration (m/s2) at which `car` reaches `other` at `speed` (m/s), if that goes on as it does."""
+    rest = max(gap(car, other) - 0.2, 0.5)
+    return max(0.1, ((car.speed - other.speed) ** 2 - max(speed - other.speed, 0) ** 2) / (2 * rest))
+
 CLOSE = 2.5  # s behind another within which one brakes as soon as that does
 
 def in_way(points, other, room=1):

@@ -104,8 +104,8 @@ def reverse(seen: Seen, situation: Situation) -> int | None:
             return None
         first = np.array([seen.vx[moving[0]], seen.vy[moving[0]]]) / seen.speed[moving[0]]
         gone = (seen.xy - seen.xy[0]) @ first
-        back = np.flatnonzero(np.maximum.accumulate(gone) - gone > limits.distance)
-        return int(back[0]) if len(back) else None
+        returned = np.flatnonzero(np.maximum.accumulate(gone) - gone > limits.distance)
+        return int(returned[0]) if len(returned) else None
     back = np.concatenate([[0.0], np.maximum(0.0, -seen.forward[1:])]) * situation.step
     for a, b in stretches(seen.forward < -0.05):
         total = np.cumsum(back[a : b + 1])

@@ -8,12 +8,22 @@ from c2s_engine.write.typed.lateral import LATERAL, shift_of, sideways, to_line
 from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, WIDTH, is_static
 from c2s_engine.write.typed.usual import UNDISTURBED, default_gap, speed_of
 
+ANSWERS, BRAKES = 1.0, 3.5
+"""s after which, and m/s2 with which, one brakes for who comes over in front of it."""
+SLOW = 0.4
+"""Of the speed of one that gets out of its way at the last moment, that of one that is slow."""
 LETS_BY = 5.0
 """s in which one lets another in the next lane by."""
 FOLLOWED = 4.3
 """s for which one follows before the other does something, so that it plainly follows until the other is gone."""
 MERGES = 30.0
 """m before the end of the acceleration lane by which one begins to change lanes."""
+TO_RAMP_END = 6.0
+"""s from the start until ego is on the acceleration lane: a guess, too."""
+ACCELERATION_LANE = 250.0
+"""m, a guess while the map is not known: on longer or shorter lanes those that are let by come too early or late."""
+SLOWS = 3.0
+"""m/s2 at which ego does."""
 SETTLES = 0.5
 """s after a change of lane by which one is in the other."""
 CLEAR = 0.6
@@ -56,21 +66,72 @@ def awaited(structure: Structure, cid: str) -> float:
 
 
 def level_then(structure: Structure) -> Structure:
-    """With those who come up in the next lane, nobody says from how far behind, level with ego by when that does what
-    they wait for."""
-    ego, place = structure.ego.spec, structure.place.spec
-    assert isinstance(ego, EgoSpec) and isinstance(place, PlaceSpec)
-    seconds, own = awaited(structure, "E"), middle(speed_of(ego, place))
+    """With those who come up behind in the next lane, nobody says from how far, by when the one by whom they are placed
+    comes over into it, or does what they wait for: level with it; where they then brake, so far behind that this is
+    hard, and yet enough."""
+    place = structure.place.spec
+    assert isinstance(place, PlaceSpec)
     for component in structure.objects:
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
-        at, waits = spec.placement, any(p.trigger and p.trigger.of == "ego" for p in spec.phases[1:])
-        closing = middle(speed_of(spec, place)) - own
-        beside = at.position in ("left_lane", "right_lane") and at.along == "behind" and at.of == "ego"
-        if seconds and waits and beside and at.gap is None and closing > 0:
-            gap = round(closing * seconds, 1)
-            structure = structure.with_spec(component.id, placement=at.model_copy(update={"gap": gap}))
+        at = spec.placement
+        waits = next((p for p in spec.phases[1:] if p.trigger and p.trigger.of == at.of), None)
+        of = "E" if at.of == "ego" else at.of
+        beside = at.position in ("left_lane", "right_lane") and at.along == "behind"
+        if not beside or at.gap is not None or waits is None:
+            continue
+        closing = middle(speed_of(spec, place)) - middle(speed_of(structure[of].spec, place))  # type: ignore[arg-type]
+        seconds = max(awaited(structure, of), moves_over(structure, of))
+        if seconds and closing > 0:
+            near = closing * ANSWERS + closing**2 / (2 * BRAKES) + LEAST if waits.action in ("brake", "stop") else 0.0
+            changes = {"gap": round(near + closing * seconds, 1)}
+            structure = structure.with_spec(component.id, placement=at.model_copy(update=changes))
     return structure
+
+
+def moves_over(structure: Structure, cid: str) -> float:
+    """s after the start at which one first moves aside, about; 0: it does not, or that cannot be told."""
+    phase = next((p for p in phases_of(structure, cid) if p.action in {*LATERAL, "swerve"}), None)
+    spec = structure[cid].spec
+    if isinstance(spec, ObjectSpec) and spec.placement.position == "on_ramp":
+        return TO_RAMP_END + 2.0
+    if phase is None or phase.trigger is None:
+        return begins(structure, cid) if phase is not None else 0.0
+    of = "E" if phase.trigger.of == "ego" else phase.trigger.of or ""
+    if phase.trigger.kind == "time":
+        return middle(phase.trigger.value or 0.0)
+    return moves_over(structure, of) if phase.trigger.kind == "action" and of in structure else 0.0
+
+
+def let_by(structure: Structure) -> Structure:
+    """With those on the carriageway whom ego, on the ramp, lets by, nobody says where: the last of them comes by
+    as ego has slowed down for that."""
+    ego, place = structure.ego.spec, structure.place.spec
+    assert isinstance(ego, EgoSpec) and isinstance(place, PlaceSpec)
+    waits = (p.trigger for p in ego.phases if p.trigger and p.trigger.kind == "passed" and p.trigger.of == "ego")
+    last = next((t.subject for t in waits if t.subject and t.subject in structure), None)
+    if place.kind != "on_ramp" or last is None:
+        return structure
+    cid, chain = last, 0.0
+    while (spec := structure[cid].spec) and isinstance(spec, ObjectSpec) and spec.placement.of in structure:
+        of, gap = structure[spec.placement.of].spec, spec.placement.gap
+        if spec.placement.position != "behind" or not isinstance(of, ObjectSpec):
+            return structure
+        own = middle(gap) if gap is not None else default_gap(spec, middle(speed_of(spec, place)), place)
+        chain, cid = chain + own + (LENGTH[spec.type] + LENGTH[of.type]) / 2, spec.placement.of
+    first = structure[cid].spec
+    if not isinstance(first, ObjectSpec) or first.placement.position != "left_lane" or first.placement.gap is not None:
+        return structure
+    at_end = any(p.trigger and p.trigger.place == "merge_end" for p in ego.phases)
+    own = middle(speed_of(ego, place))
+    up = max([own, *(middle(p.speed) for p in ego.phases if p.action == "accelerate" and p.speed is not None)])
+    seconds = TO_RAMP_END + (ACCELERATION_LANE / up if at_end else 0.0)
+    gains = (middle(speed_of(first, place)) - (own + 3 * up) / 4) * seconds
+    slow = next((middle(p.speed) if p.speed is not None else up / 2 for p in ego.phases if p.action == "brake"), up)
+    level = (LENGTH[ego.type] + LENGTH[first.type]) / 2
+    ahead = chain - level - gains - (up - slow) ** 2 / (2 * SLOWS)
+    changes = {"along": "ahead" if ahead >= 0 else "behind", "gap": round(max(abs(ahead) - level, 0.0), 1)}
+    return structure.with_spec(cid, placement=first.placement.model_copy(update=changes))
 
 
 def clear_ahead(structure: Structure) -> Structure:
@@ -96,10 +157,12 @@ def clear_ahead(structure: Structure) -> Structure:
 def revealing(structure: Structure, cid: str, i: int, phase: Phase) -> Structure:
     """One that leaves its lane before what stands in it: late, and yet out of it before it is there."""
     spec = structure[cid].spec
-    stands = next((c for c in structure.objects if _stands_before(structure, cid, c.id)), None)
+    stands = next((c for c in structure.objects if stands_before(structure, cid, c.id)), None)
     if stands is None or not isinstance(spec, ObjectSpec):
         return structure
     trigger, place, thing = phase.trigger, structure.place.spec, stands.spec
+    if trigger is not None and trigger.kind == "distance" and trigger.value is None:  # as near as that can be
+        trigger = None
     assert isinstance(thing, ObjectSpec) and isinstance(place, PlaceSpec)
     speed, out = middle(speed_of(spec, place)), (WIDTH[spec.type] + WIDTH[thing.type]) / 2 + 0.2
     ttc = middle(trigger.value) if trigger and trigger.kind == "ttc" and trigger.value is not None else None
@@ -123,17 +186,22 @@ def revealing(structure: Structure, cid: str, i: int, phase: Phase) -> Structure
     at = thing.placement
     if at.gap is not None or trigger is not None and trigger.kind != "ttc":
         return structure
-    gap = speed * (left + begins(structure, cid))
+    closing = speed - (0.0 if is_static(thing) else middle(speed_of(thing, place)))
+    gap = closing * (left + begins(structure, cid))
     if at.of == "ego":
         gap += LENGTH[spec.type] + middle(spec.placement.gap if spec.placement.gap is not None else
                                           default_gap(spec, speed, place))  # fmt: skip
     return structure.with_spec(stands.id, placement=at.model_copy(update={"gap": round(gap, 1)}))
 
 
-def _stands_before(structure: Structure, cid: str, other: str) -> bool:
-    """Whether another stands in the lane ahead of an object that drives."""
+def stands_before(structure: Structure, cid: str, other: str) -> bool:
+    """Whether another stands, or is far slower, in the lane ahead of an object that drives."""
     spec, own = structure[other].spec, structure[cid].spec
-    if not isinstance(spec, ObjectSpec) or not isinstance(own, ObjectSpec) or not is_static(spec) or other == cid:
+    if not isinstance(spec, ObjectSpec) or not isinstance(own, ObjectSpec) or other == cid:
+        return False
+    place = structure.place.spec
+    assert isinstance(place, PlaceSpec)
+    if not is_static(spec) and middle(speed_of(spec, place)) > SLOW * middle(speed_of(own, place)):
         return False
     at = spec.placement
     return at.position == "ahead" and (at.of == cid or at.of == "ego" and own.placement.position == "ahead")

@@ -4,6 +4,7 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase, SettingsSpec, Trigger
 from c2s_engine.write.typed import ahead, lights, scope
 from c2s_engine.write.typed.course import Actor, Course
+from c2s_engine.write.typed.lateral import LATERAL
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.overtakings import nearest
 from c2s_engine.write.typed.steps import AT_LINE, Step, steps
@@ -88,7 +89,8 @@ def _steps(course: Course) -> list[Step]:
             course.aside = ""
         if phase.until is not None and done:
             actor = course.actor
-            done[-1] = (done[-1][0], f"until {watched(actor.structure, actor.plan, phase.until, actor.cid)}")
+            out = -2 if phase.abandoned and phase.action in LATERAL else -1
+            done[out] = (done[out][0], f"until {watched(actor.structure, actor.plan, phase.until, actor.cid)}")
             if i + 1 == len(phases):  # it drives on
                 done.append(([course.drive(None if course.value > 0 else scope.number(SETS_OUT))], ""))
         if _at_line(course.actor, phase, i) and (turn := its_turn(course.actor)):

@@ -19,6 +19,8 @@ STOPS_AT = 6
 """m/s2 at which those brake who have hit another."""
 FULL, BUILT_UP = 7.0, 6.0
 """m/s2 at which one brakes that then touches another slowly, and what that comes to, the pedal's way included."""
+TOO_LATE = 5
+"""m/s2 at which one brakes hard, and too late."""
 SIDEWAYS = frozenset(
     ("overtake", "lane_change", "cut_in", "cut_out", "swerve", "drift", "lose_control", "oncoming", "leave_road")
 )
@@ -126,6 +128,19 @@ def hit_next(c: Course, p: Phase) -> Phase | None:
     phases = c.actor.spec.phases
     later = phases[phases.index(p) + 1 :] if p in phases else ()
     return later[0] if later and later[0].action == "collide" else None
+
+
+def slows_into(c: Course, p: Phase, goal: float, hard: bool) -> list[Step] | None:
+    """Braking, as late as it can be where it is hard, by which one has slowed down to `goal` (m/s) as it hits whom it
+    hits next in its lane, where both that and no rate are said; None: something else is."""
+    hit = hit_next(c, p)
+    if p.speed is None or p.rate is not None or hit is None or not hit.target or hit.trigger or not c.same_lane(hit):
+        return None
+    other = c.actor.ref(hit.target)
+    c.value, into = goal, f"into(self, {other}, {scope.number(goal)})"
+    late = [([c.drive(c.actor.speed)], f"until {into} > {TOO_LATE}")] if hard else []
+    brakes = c.drive(scope.number(goal))[:-1] + f", rate=lambda: {into})"
+    return [*late, ([brakes], f"until touch(self, {other})")]
 
 
 def backs_into(c: Course, other: str, pace: float) -> list[Step]:

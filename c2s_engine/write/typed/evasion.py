@@ -7,7 +7,7 @@ from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.collisions import Step, hit_next, struck_beside
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.passing import BESIDE, NARROW
-from c2s_engine.write.typed.tables import LANE_WIDTH, is_static, is_vehicle, is_walker
+from c2s_engine.write.typed.tables import LANE_WIDTH, WIDTH, is_static, is_vehicle, is_walker
 from c2s_engine.write.typed.threats import beside_way, every, members
 
 SLIDING = {"snow": 3.0, "rain": 4.5, "heavy_rain": 4.0, "wet": 4.5}
@@ -19,8 +19,9 @@ RECOVERS = "for 1.2 seconds"
 ENDS = {"stop", "stationary", "wait"}
 WHERE = {"drift", "swerve", "lane_change", "cut_out", "oncoming"}
 """What says, after the loss of control, where one ends."""
-SWERVES = 2.2
-"""m"""
+SWERVES, OVER = 2.2, 1.3
+"""m by which one swerves; one that is `WIDE` (m): it is over the line by as much then."""
+WIDE = 2.3
 CLOSE = 0.2
 """m that are left to who passes one that swerves then."""
 PASSING = 2.0
@@ -68,7 +69,7 @@ def slides_there(c: Course, p: Phase) -> bool:
 def swerves_by(c: Course) -> float:
     """How far (m) one swerves: on two wheels, where another passes it then, to `CLOSE` of that one."""
     if c.actor.spec.type not in NARROW:
-        return SWERVES
+        return SWERVES if WIDTH[c.actor.spec.type] < WIDE else OVER
     passed = [p for s in (c.actor.structure.ego, *c.actor.structure.objects) for p in getattr(s.spec, "phases", ())]
     by = any(p.action == "overtake" and p.target == c.actor.cid for p in passed)
     return BESIDE - CLOSE if by else SWERVES

@@ -5,7 +5,7 @@ from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.collisions import Step
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.lanes import leaves_lane
-from c2s_engine.write.typed.passing import NARROW, comes_back, faster, pull_out, sideways
+from c2s_engine.write.typed.passing import NARROW, comes_back, faster, pull_out, sideways, to_slow
 from c2s_engine.write.typed.tables import HALF_LANE, LANE_NAME, is_static, is_vehicle
 from c2s_engine.write.typed.threats import hits_ego, is_hit, members
 
@@ -59,7 +59,8 @@ def pulls_out(c: Course, p: Phase) -> str:
     closing = max(_top(c, p) - c.target_speed(p), faster(c.other(p.target)))
     if _waits(c, p):
         closing += WARY
-    return f"until gap(self, {nearest(c, p)}) < {scope.number(pull_out(closing))}"
+    near = pull_out(closing, p.abandoned and _spoiled_by(c, p) is None)
+    return f"until gap(self, {nearest(c, p)}) < {scope.number(near)}"
 
 
 def _top(c: Course, p: Phase) -> float:
@@ -74,15 +75,16 @@ def _ahead(c: Course, p: Phase) -> str:
 
 def _breaks_off(c: Course, p: Phase, out: list[str], back: list[str], aside: str) -> list[Step]:
     """Out beside the other's tail, or until what comes next, and back behind it after that."""
-    other = nearest(c, p)
+    other, closing = nearest(c, p), _top(c, p) - c.target_speed(p)
     behind = f"lambda: pace(self, {other}, {c.speed}, {HEADWAY})"
     slower = [out[-1].replace(f"line, {c.speed}", f"line, lambda: max(0, {other}.speed - 3)")]
-    back = [*back[:-1], c.drive(behind, 4)]
-    home: list[Step] = [(slower, f"until lead_on(self, {other}) < -6 - self.length"), (back, "")]
     if _spoiled_by(c, p) is not None:
-        c.home, c.aside = home, aside
+        far = f"until lead_on(self, {other}) < -6 - self.length"
+        c.home, c.aside = [(slower, far), ([*back[:-1], c.drive(behind, 4)], "")], aside
         return [(out, "")]
-    return [(out, f"until lead_on(self, {other}) > -(self.length + {other}.length) / 2 - 1"), *home]
+    slower = [slower[0].replace(", offset", ", rate=5, offset")]
+    home: list[Step] = [(slower, f"until ahead_by({other}, self) > 1"), ([*back[:-1], c.drive(behind, 5)], BACK)]
+    return [(out, f"until ahead_by({other}, self) < {scope.number(to_slow(closing))}"), *home]
 
 
 def _spoiled_by(c: Course, p: Phase) -> Phase | None:

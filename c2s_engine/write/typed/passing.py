@@ -23,6 +23,8 @@ ROOM = 8.0
 """m that are left to the other when one is out."""
 AHEAD = 10.0
 """m, bumper to bumper, before the other from which one comes back."""
+BREAKS_OFF = 5.0
+"""m/s2 at which one slows down that breaks off."""
 BESIDE = 1.5
 """m between one on two wheels and who passes it in their own lane or over its left line."""
 GAINS = 3.0
@@ -53,7 +55,7 @@ class Overtaking:
     @property
     def pull_out(self) -> float:
         """The gap (m) at which one pulls out so as to be out of the lane with some room."""
-        return pull_out(self.closing)
+        return pull_out(self.closing, self.phase.abandoned)
 
     @property
     def gap(self) -> float:
@@ -73,6 +75,8 @@ class Overtaking:
     @property
     def back(self) -> float:
         """When (s) it is in its lane again."""
+        if self.phase.abandoned:
+            return self.begins + ASIDE + ROOM / self.closing + ASIDE
         return self._gained(self.pull_out + self.bodies + self.ahead) + ASIDE
 
     def travelled(self, time: float) -> float:
@@ -85,9 +89,14 @@ class Overtaking:
         return self.begins + (metres + lost) / self.closing
 
 
-def pull_out(closing: float) -> float:
-    """The gap (m) at which one pulls out who comes nearer at so many m/s."""
-    return ROOM + ASIDE * closing
+def pull_out(closing: float, abandoned: bool = False) -> float:
+    """The gap (m) at which one pulls out who comes nearer at so many m/s: sooner where it is to stay behind."""
+    return ROOM + ASIDE * closing + (to_slow(closing) if abandoned else 0.0)
+
+
+def to_slow(closing: float) -> float:
+    """The gap (m) at which one that is out breaks off so as to stay behind."""
+    return closing**2 / (2 * BREAKS_OFF) + 2.0
 
 
 def comes_back(phase: Phase, closing: float) -> float:
@@ -128,6 +137,8 @@ def overtakings(structure: Structure, place: PlaceSpec) -> Iterator[Overtaking]:
         rows = _row(component.id, objects), _row(whom, objects)
         if rows[0] != rows[1] and not all(isinstance(row, int) for row in rows):
             continue
+        if phase.abandoned and any(p.trigger for p in spec.phases[at + 1 : at + 2]):  # that says when
+            phase = phase.model_copy(update={"abandoned": False})
         begins = UNDISTURBED
         if phase.trigger is not None and phase.trigger.kind == "time" and phase.trigger.value is not None:
             begins = middle(phase.trigger.value)

@@ -7,17 +7,20 @@ from dataclasses import dataclass
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
 from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.stations import along
 from c2s_engine.write.typed.tables import MOVES_OFF_ROAD, TIMED, is_static
 from c2s_engine.write.typed.threats import beside_way
 from c2s_engine.write.typed.usual import LONGEST_VIEW, default_gap, speed_of
+from c2s_engine.write.typed.watching import METRES, SECONDS
 
 BEFORE = 2.5
 """s for which everybody drives on before a trigger comes true."""
 LASTS = 3.0
 """s that something takes which somebody does before: the search corrects what this is off by."""
+OUT = 2.5
+"""s that something has gone on for by when it is ended by that."""
 CLOSE_BY = 0.8
 """m across the road between ego, were it to drive on, and whom it gets round who is beside its lane."""
 EVADED_AT = 4.0
@@ -28,13 +31,14 @@ CALM = {"keep_lane", "move_along", "follow", "go_straight", "stationary", "wait"
 
 @dataclass(frozen=True)
 class _Pair:
-    """Who waits in a phase (`E` or an object's id) to come so near to another; `placed`: the one of the two whose open
-    gap says how far apart they start; `seconds`: how long that takes."""
+    """Who waits in a phase (`E` or an object's id) for two to come so near (m, or s for `ttc`) to one another;
+    `placed`: the one of the two whose open gap says how far apart they start; `seconds`: how long that takes."""
 
     actor: str
-    other: str
     placed: str
     phase: Phase
+    kind: str
+    near: float
     seconds: float
 
 
@@ -72,16 +76,33 @@ def _beside_the_way(structure: Structure) -> Structure:
 def _pair(structure: Structure, actor: str) -> _Pair | None:
     seconds = BEFORE
     for phase in getattr(structure[actor].spec, "phases", ()):
-        trigger = phase.trigger
-        if trigger is not None and trigger.kind in ("distance", "ttc") and trigger.value is not None:
-            other = "E" if trigger.of == "ego" or trigger.of is None and actor != "E" else trigger.of
-            pairs = ((actor, other), (other, actor)) if other and other in structure and other != actor else ()
-            placed = next((one for one, two in pairs if one != "E" and _open_to(structure, str(one), str(two))), None)
-            return _Pair(actor, str(other), placed, phase, seconds) if placed else None
-        if trigger is not None:
-            return None
+        for trigger, lasts in ((phase.trigger, 0.0), (phase.until, OUT)):
+            near = _near(trigger, actor)
+            if trigger is not None and near is not None:
+                one = _component(trigger.subject or actor)
+                other = "E" if trigger.of == "ego" or trigger.of is None and one != "E" else trigger.of
+                pairs = ((one, other), (other, one)) if other and other in structure and other != one else ()
+                placed = next((a for a, b in pairs if a != "E" and _open_to(structure, str(a), str(b))), None)
+                return _Pair(actor, placed, phase, trigger.kind, near, seconds + lasts) if placed else None
+            if trigger is not None and trigger.kind == "time":
+                seconds = max(middle(trigger.value or 0.0), seconds)
+            elif trigger is not None:
+                return None
         seconds += LASTS if phase.action not in CALM else middle(phase.duration) if phase.duration is not None else 0.0
     return None
+
+
+def _component(who: str) -> str:
+    return "E" if who == "ego" else who
+
+
+def _near(trigger: Trigger | None, actor: str) -> float | None:
+    """How near (m or s) one comes as a trigger comes true; of two others, nobody says how near, as is written."""
+    if trigger is None or trigger.kind not in ("distance", "ttc"):
+        return None
+    others = trigger.subject is not None and _component(trigger.subject) != actor
+    usual = {"distance": METRES, "ttc": SECONDS}[trigger.kind] if others else None
+    return middle(trigger.value) if trigger.value is not None else usual
 
 
 def _open_to(structure: Structure, one: str, two: str) -> bool:
@@ -93,11 +114,11 @@ def _open_to(structure: Structure, one: str, two: str) -> bool:
 
 def _gap(structure: Structure, pair: _Pair, spec: ObjectSpec) -> float:
     place = structure.place.spec
-    assert isinstance(place, PlaceSpec) and pair.phase.trigger is not None
+    assert isinstance(place, PlaceSpec)
     closing = _closing(structure, pair.placed, spec, place)
-    near = middle(pair.phase.trigger.value or 0.0)
-    if pair.phase.trigger.kind == "ttc":
-        near *= max(closing, 0.0)
+    near = pair.near * max(closing, 0.0) if pair.kind == "ttc" else pair.near
+    if closing <= 0.5 and _slows(structure, pair):  # it comes up then
+        return default_gap(spec, middle(speed_of(structure.ego.spec, place)), place)  # type: ignore[arg-type]
     if closing <= 0.5 and pair.phase.action != "cut_in":  # it is as near from the start
         return max(near - 0.5, 1.0)
     gap = min(max(near + pair.seconds * closing, 1.0), max(LONGEST_VIEW, near))
@@ -111,6 +132,15 @@ def _closing(structure: Structure, placed: str, spec: ObjectSpec, place: PlaceSp
     if oncoming(spec, {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}):
         return own + other
     return own - other if along(spec) < 0 else other - own
+
+
+def _slows(structure: Structure, pair: _Pair) -> bool:
+    """Whether the one whom a follower comes up to slows down before that."""
+    phases: tuple[Phase, ...] = getattr(structure[pair.actor].spec, "phases", ())
+    follows = bool(phases) and phases[0].action == "follow" and pair.kind == "distance"
+    ahead = _component(phases[0].target or "ego") if follows else ""
+    doings = getattr(structure[ahead].spec, "phases", ()) if ahead in structure else ()
+    return any(p.action in ("brake", "stop") for p in doings)
 
 
 def _stands(pair: _Pair, spec: ObjectSpec) -> bool:

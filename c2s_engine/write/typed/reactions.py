@@ -6,7 +6,9 @@ import re
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
+from c2s_engine.structure.triggers import gives_way_by
 from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.ahead import stands_before
 from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.evasion import grip
@@ -129,18 +131,21 @@ def _stands(structure: Structure, cid: str | None) -> bool:
 
 def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str | None], hard: bool) -> list[str]:
     """Ego's way with braking that does not keep it from whom it hits, or who hits it."""
-    s, rate = actor.structure, scope.number(late_rate(hard))
+    s, rate, spec = actor.structure, scope.number(late_rate(hard)), actor.spec
     strikers = _strikers(s, cids)
     met = [c for c in cids if c in hit or None in hit or c in strikers]
-    answered = {c for p in actor.spec.phases if p.action == "brake" for c in (p.target, p.trigger and p.trigger.of)}
+    answered = {c for p in spec.phases if p.action == "brake" for c in (p.target, p.trigger and p.trigger.of)}
     others = [c for c in cids if c not in met and c not in answered]  # for these it brakes of its own accord
     things = [scope.reference(s, c) for c in sorted(map(str, hit)) if c in s and _beside(s, c) and _stands(s, c)]
     far = "".join(f"not near(self, {one}) and " for one in things)
     near, seen = "".join(f" or near(self, {one})" for one in things), once_seen(s, others)
     brakes = f"do Drive(line, 0, rate={rate}) until {_force(seen)} <= 0{near}" if seen else ""
     lines = _around(statements, seen, 6, brakes, when=far)
-    slowed = {p.target for p in actor.spec.phases if p.action == "collide" and p.speed is not None}  # its way says so
-    movers = [c for c in met if not (_beside(s, c) and _stands(s, c)) and not (c in slowed and _crosses(s, c))]
+    pairs = zip(spec.phases, spec.phases[1:], strict=False)
+    braked = {then.target for p, then in pairs if p.action == "brake" and p.speed and then.action == "collide"}
+    slowed = {p.target for p in spec.phases if p.action == "collide" and p.speed is not None}
+    by_way = {c for c in met if c in braked or c in slowed and _crosses(s, c)}  # its own way says how it brakes for these
+    movers = [c for c in met if c not in by_way and not (_beside(s, c) and _stands(s, c))]
     for c in movers:
         one = scope.reference(s, c)
         need = f"need(self, {one})"
@@ -246,10 +251,12 @@ def _gets_past(actor: Actor, cid: str) -> bool:
         return True
     if any(p.action == "overtake" and (p.target or "ego") == cid for p in actor.spec.phases):
         return True
+    near = (p.trigger for p in actor.spec.phases if p.trigger and p.action in ("lane_change", "swerve"))
+    if any(t.kind in ("distance", "ttc") and t.value is not None and (t.of or "ego") == cid for t in near):
+        return True
     if cid == "ego" or not {"cut_out", "lane_change", "swerve", "overtake"} & {p.action for p in actor.spec.phases}:
         return False
-    spec = actor.structure[cid].spec
-    return isinstance(spec, ObjectSpec) and is_static(spec)
+    return stands_before(actor.structure, actor.cid, cid)
 
 
 def _around(statements: list[str], threats: list[str], limit: float, brakes: str, when: str = "") -> list[str]:
@@ -312,7 +319,8 @@ def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan
     hit = {p.target for p in spec.phases if p.action == "collide"}
     if "yield" not in actions and (rider := _cut_off(spec, structure, plan)):
         spec = spec.model_copy(update={"phases": (Phase(action="yield", target=rider), *spec.phases)})
-    if spec.reaction == "yield" and others and "yield" not in actions and (spec.react_to or others[0]) not in hit:
+    yields = spec.reaction == "yield" and "yield" not in actions and not gives_way_by(spec)
+    if yields and others and (spec.react_to or others[0]) not in hit:
         yielding = Phase(action="yield", target=spec.react_to or others[0])
         if plan.junction and (stands := _stands_first(spec)):
             return (*spec.phases[:stands], yielding, *spec.phases[stands:])

@@ -11,6 +11,7 @@ from c2s_engine.write.typed.collisions import (
     collides,
     hit_next,
     sets_out_to_meet,
+    slows_into,
     struck_beside,
 )
 from c2s_engine.write.typed.course import Course
@@ -30,6 +31,8 @@ BEYOND_EDGE = 4
 """m beyond the road's edge to where who leaves it heads."""
 HITS_SOON = "for 1 seconds"
 """How long one leaves its lane that then hits another."""
+CLOSER = 2.5
+"""m by which one comes nearer to whom it follows than where it does something about that."""
 FULL = 5
 """m/s2 from which braking is meant to be full."""
 
@@ -100,6 +103,8 @@ def _brake(c: Course, p: Phase) -> list[Step]:
     )  # who slams the brakes on comes to a stand
     goal = c.wanted(p, 0.0 if full else c.value / 2)
     c.set(goal)
+    if (into := slows_into(c, p, goal, _hard(c))) is not None:
+        return into
     c.value = goal or c.value
     drive = c.drive(scope.number(goal), rate)
     return [([drive], ending(p, f"until self.speed < {scope.number(goal + 0.5)}"))]
@@ -133,9 +138,28 @@ def _start(c: Course, p: Phase) -> list[Step]:
 
 
 def _follow(c: Course, p: Phase) -> list[Step]:
-    c.set(c.wanted(p, _moving(c)))
-    gap = middle(p.gap) if p.gap is not None else None
-    return [([c.drive(c.pacing(p.target, c.speed, gap), 4)], ending(p, ""))]
+    return [([_behind(c, p)], ending(p, ""))]
+
+
+def _behind(c: Course, p: Phase) -> str:
+    """The drive of a phase of following: as fast as the other one goes; nearer than usual where that is to be seen."""
+    c.set(c.wanted(p, max(_moving(c), c.target_speed(p))))
+    gap = middle(p.gap) if p.gap is not None else _comes_up(c, p)
+    return c.drive(c.pacing(p.target, c.speed, gap), 4)
+
+
+def _comes_up(c: Course, p: Phase) -> float | None:
+    """The gap (m) to which one comes up that then does something about whom it follows at a distance that is said."""
+    then = _then(c, p)
+    near = then.trigger if then is not None else None
+    said = near is not None and near.kind == "distance" and near.value is not None and near.subject is None
+    return max(middle(near.value) - CLOSER, 1.0) if said and near.of == (p.target or "ego") else None  # type: ignore
+
+
+def _then(c: Course, p: Phase) -> Phase | None:
+    """The phase that comes after one."""
+    phases = list(c.actor.spec.phases)
+    return next(iter(phases[phases.index(p) + 1 :]), None) if p in phases else None
 
 
 def _u_turn(c: Course, p: Phase) -> list[Step]:
@@ -176,7 +200,9 @@ def _lane_change(c: Course, p: Phase) -> list[Step]:
     if narrow or c.oncoming:  # by the lane of the other direction, or the verge
         drive = c.drive(c.set(goal), offset=scope.number(side * LANE_WIDTH), shift=shift)
         return [([drive], ending(p, over))]
-    line, speed = c.onto(side), c.set(goal)
+    line, speed, then = c.onto(side), c.set(goal), _then(c, p)
+    if then is not None and then.action == "follow" and then.trigger is None and p.speed is None:
+        return [([line, _behind(c, then)], ending(p, over))]
     if p.gap is not None and p.target and not traffic.in_front(c.actor.structure, c.actor.cid, p):  # behind that one
         speed = c.pacing(p.target, c.speed, middle(p.gap))
     return [([line, c.drive(speed, shift=shift)], ending(p, over))]

@@ -8,7 +8,17 @@ from dataclasses import dataclass
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
-from c2s_engine.write.typed.ahead import LEAST, TIGHT, begins, clear_ahead, level_then, phases_of, revealing, with_phase
+from c2s_engine.write.typed.ahead import (
+    LEAST,
+    TIGHT,
+    begins,
+    clear_ahead,
+    let_by,
+    level_then,
+    phases_of,
+    revealing,
+    with_phase,
+)
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.lateral import LATERAL, to_line
 from c2s_engine.write.typed.tables import LENGTH, is_static, is_vehicle
@@ -28,7 +38,7 @@ PLAIN = {*CALM, *LATERAL, "brake", "stop", "swerve", "drift"}
 def solved(structure: Structure) -> Structure:
     """S with the speeds, gaps and starts that are open and follow from those that are said; raises ResolveError where
     they do not go together."""
-    structure = level_then(clear_ahead(_at_pace(structure)))
+    structure = let_by(level_then(clear_ahead(_at_pace(structure))))
     for cid in ("E", *(c.id for c in structure.objects)):
         for i, phase in enumerate(phases_of(structure, cid)):
             if any(p.action not in CALM for p in phases_of(structure, cid)[:i]):
@@ -63,6 +73,8 @@ def _at_pace(structure: Structure) -> Structure:
 
 
 def _pace_for_ego(structure: Structure, ego: EgoSpec) -> float | None:
+    if any(p.action == "accelerate" for p in ego.phases[:1]):  # it comes to its speed
+        return None
     followed = {p.target for p in ego.phases if p.action == "follow"}
     for component in structure.objects:
         spec = component.spec

@@ -83,7 +83,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return until
     if first and (until := comes_out(a.structure, a.cid, a.plan, phase, course.wanted(phase, a.value or 2))):
         return until
-    if phase.action in ("lane_change", "cut_in") and course.on_ramp:
+    if course.on_ramp and (phase.action in ("lane_change", "cut_in") or a.is_ego and phase.action in ("brake", "stop")):
         return "until self._lane is place.acceleration_lane"
     if phase.action in lateral.LATERAL and phase.gap is not None and phase.target and not _sideways_into(course, phase):
         return _at_gap(course, phase, first)
@@ -165,7 +165,8 @@ def _before_junction(course: Course, value: float, phase: Phase) -> str:
         there, metres = "place.acceleration_lane", scope.number(max(value, ahead.MERGES))
         if phase.action in ("stop", "brake"):  # as far before it as that takes
             rate = middle(phase.rate) if phase.rate else 3.5 if phase.action == "stop" else 3.0
-            metres = f"{scope.number(value + TO_END)} + self.speed ** 2 / {scope.number(2 * rate)}"
+            slow = course.wanted(phase, course.value / 2) if phase.action == "brake" else 0.0
+            metres = f"{scope.number(max(value + TO_END - slow**2 / (2 * rate), 0))} + self.speed ** 2 / {2 * rate:g}"
         return f"until self._lane is {there} and (distance from self to {there}.centerline[-1]) < {metres}"
     lane = course.actor.to_junction
     if lane is None:

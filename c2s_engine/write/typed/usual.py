@@ -20,6 +20,8 @@ UNDISTURBED = 3.0
 """s for which everybody drives on before what nothing triggers."""
 SETS_OUT = 8.0
 """m/s at which somebody drives on that stood."""
+SPEEDS_UP = 0.75
+"""Of the speed to which one speeds up first, at what it does that, where nothing says how fast it is."""
 SLOWS_DOWN = 3.0
 """m/s2 at which one slows down for a turn."""
 ROOM_BEHIND = 4.0
@@ -62,7 +64,9 @@ def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[floa
         if first.speed is not None and first.action in steady:
             return first.speed
     kind = spec.type if spec.type in DEFAULT_SPEED else "car"
-    usual = DEFAULT_SPEED[kind]
+    usual, gained = DEFAULT_SPEED[kind], spec.phases[0] if spec.phases else None
+    if gained is not None and gained.action == "accelerate" and gained.speed is not None:
+        return min(middle(usual[place.kind if place.kind in usual else "road"]), SPEEDS_UP * middle(gained.speed))
     turns = isinstance(spec, ObjectSpec) and turn_of(spec.phases) != "STRAIGHT" and "turning" in usual
     return usual["turning"] if turns else usual[place.kind if place.kind in usual else "road"]
 

@@ -24,7 +24,7 @@ class Files(Part):
 
     def __init__(self, bench: "Workbench", file: Path | None):
         super().__init__(bench)
-        self.file = file  # the one that was opened or saved last
+        self.file = file  # the one that was opened or saved last in this session
         self.file_seen: float | None = None  # when it was changed last, as far as is known (s since the epoch)
         self.told_change: float | None = None
         self.saved_text: str | None = None
@@ -43,14 +43,15 @@ class Files(Part):
             return
         if target.suffix == "":
             target = target.with_suffix(".scenic")
-        if self._changed_outside(target):
-            answers = {"o": ("over", "overwrite the file"), "r": ("reload", "read the file instead")}
-            self.app.push_screen(
-                Confirm(f"{target.name} was changed by another program.", answers),
-                lambda answer: self._resolve_change(answer, target),
-            )
+        own = self.file is not None and target.absolute() == self.file.absolute()
+        if own and not self._changed_outside() or not target.exists():
+            await self.write(target)
             return
-        await self.write(target)
+        said = "was changed by another program" if own else "is there already and is not this session's"
+        answers = {"o": ("over", "overwrite the file"), "r": ("reload", "read the file instead"), "b": ("", "go back")}
+        self.app.push_screen(
+            Confirm(f"{target} {said}.", answers), lambda answer: self._resolve_change(answer, target)
+        )
 
     async def write(self, target: Path) -> None:
         """Write the text that the code pane shows, edits that are not applied included."""
@@ -70,12 +71,18 @@ class Files(Part):
         elif answer == "reload":
             await self.import_file(target)
 
-    def _changed_outside(self, target: Path) -> bool:
-        return target == self.file and self.file_seen is not None and _stamp(target) not in (None, self.file_seen)
+    def _changed_outside(self) -> bool:
+        """Whether this session's file is no longer as it was read or written here."""
+        stamp = _stamp(self.file) if self.file is not None else None
+        return self.file_seen is not None and stamp not in (None, self.file_seen)
+
+    def forget(self) -> None:
+        """Another session comes: the file belongs to the one before."""
+        self.file = self.file_seen = self.told_change = self.saved_text = None
 
     def watch_file(self) -> None:
         """Called now and then: whether the opened file was changed by another program; told once."""
-        if self.file is not None and self._changed_outside(self.file) and self.told_change != _stamp(self.file):
+        if self.file is not None and self._changed_outside() and self.told_change != _stamp(self.file):
             self.told_change = _stamp(self.file)
             self.app.notify(
                 f"{self.file.name} was changed by another program: /open {self.file} reads it again.",

@@ -25,14 +25,13 @@ class Leaving(Part):
             "s": ("save", "save the file and quit"),
             "b": ("", "go back"),
         }
-        target = self.bench.files.file
-        if target is None:
+        if self.bench.files.file is None:
             del answers["s"]
 
         async def decided(answer: str | None) -> None:
-            if answer == "save" and target is not None:
-                await self.bench.files.write(target)
-            if answer in ("quit", "save"):
+            if answer == "save":
+                await self.bench.files.do_save("")
+            if answer == "quit" or answer == "save" and self.bench.files.unsaved is None:  # else it asks
                 await self.leave()
 
         self.app.push_screen(Confirm(f"Leave? {'; '.join(reasons).capitalize()}.", answers), decided)

@@ -42,6 +42,8 @@ class Sessions(Part):
         self.chat.entry.put(session.draft("chat") + typed)
         if changed:
             await self.chat.clear()
+            if self.bench.session is not None:
+                self.bench.files.forget()
         self.bench.take_session(session)
         self.app.remember(session=session.name)
         for turn in session.history[-50:]:

@@ -202,6 +202,43 @@ async def test_files_are_saved_and_changes_outside_noticed(stage, tmp_path: Path
         )
 
 
+async def test_no_file_is_overwritten_unasked(stage, tmp_path: Path):
+    """Neither one of somebody else's, nor that of the session before, nor one that was changed since."""
+    other, first = tmp_path / "list.scenic", tmp_path / "first.scenic"
+    other.write_text("my shopping list\n")
+
+    def asked() -> bool:
+        return type(stage.app.screen).__name__ == "Confirm"
+
+    async with stage.described() as pilot:
+        await stage.say(pilot, f"/save {other}", wait=False)
+        await stage.until(pilot, asked)
+        await pilot.press("b")
+        await stage.until(pilot, lambda: not asked())
+        assert other.read_text() == "my shopping list\n"
+        await stage.say(pilot, f"/save {first}", wait=False)
+        await stage.until(pilot, first.exists)
+        saved = first.read_text()
+        await stage.say(pilot, "/new second", wait=False)
+        await stage.until(pilot, lambda: stage.bench.session.name == "second")
+        assert stage.bench.files.file is None
+        await stage.say(pilot, CUT_IN)
+        await pilot.press("ctrl+s")
+        await stage.until(pilot, lambda: stage.bench.chat.entry.text == "/save second.scenic")
+        stage.bench.chat.entry.put("")
+        await stage.say(pilot, f"/save {first}", wait=False)
+        await stage.until(pilot, asked)
+        await pilot.press("escape")
+        await stage.until(pilot, lambda: not asked())
+        assert first.read_text() == saved
+        await stage.say(pilot, f"/save {first}", wait=False)
+        await stage.until(pilot, asked)
+        await pilot.press("o")
+        await stage.until(pilot, lambda: any("Saved" in line for line in stage.said[-2:]))
+        await stage.say(pilot, "/save", wait=False)  # its own now
+        await stage.until(pilot, lambda: sum("Saved" in line for line in stage.said) == 2)
+
+
 async def test_a_resize_never_breaks(stage):
     async with stage.make().run_test(size=(200, 60)) as pilot:
         await stage.ready(pilot)

@@ -228,7 +228,7 @@ def test_every_field_and_choice_of_the_specs_is_offered_by_some_form(kind):
 @pytest.mark.parametrize(
     ("type_", "without"),
     [
-        ("pedestrian", {"phases.lateral_speed", "phases.abandoned"}),
+        ("pedestrian", {"phases.lateral_speed", "position=parked"}),
         ("cone", {"placement.arrives", "placement.hidden_by", "phases.action"}),
     ],
 )

@@ -144,7 +144,7 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     pairs = zip(spec.phases, spec.phases[1:], strict=False)
     braked = {then.target for p, then in pairs if p.action == "brake" and p.speed and then.action == "collide"}
     slowed = {p.target for p in spec.phases if p.action == "collide" and p.speed is not None}
-    by_way = {c for c in met if c in braked or c in slowed and _crosses(s, c)}  # its own way says how it brakes for these
+    by_way = {c for c in met if c in braked or c in slowed and _crosses(s, c)}  # its way says how it brakes
     movers = [c for c in met if c not in by_way and not (_beside(s, c) and _stands(s, c))]
     for c in movers:
         one = scope.reference(s, c)

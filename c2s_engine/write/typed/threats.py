@@ -77,17 +77,6 @@ def every_passed(structure: Structure, cid: str) -> str:
     return " and ".join(f"passed({one}, self{margin})" for one in members(structure, cid))
 
 
-def shown(structure: Structure, cid: str) -> str:
-    """The condition under which ego sees an object that a vehicle ahead hides; "": always."""
-    spec = structure[cid].spec if cid in structure else None
-    if not isinstance(spec, ObjectSpec) or spec.placement.position != "ahead" or spec.placement.hidden_by is None:
-        return ""
-    before = structure[spec.placement.hidden_by].spec if spec.placement.hidden_by in structure else None
-    if not isinstance(before, ObjectSpec) or is_static(before) or before.placement.position != "ahead":
-        return ""
-    return f"in_view(self, [{every(structure, cid)}], [{every(structure, spec.placement.hidden_by)}])"
-
-
 def passed_over(structure: Structure, cid: str, by: str | None = None) -> bool:
     """Whether a thing lies in the lane that a vehicle ahead, which stays in it, hides from ego: that one (`by`, or any)
     drives on over it."""

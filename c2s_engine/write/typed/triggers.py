@@ -17,7 +17,6 @@ from c2s_engine.write.typed.threats import (
     is_stopped,
     on_foot,
     once_seen,
-    shown,
     standing,
     threatening,
 )
@@ -97,14 +96,13 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         aside = phase.action in ("swerve", "lane_change")
         still = cid is not None and (o := course.other(cid)) is not None and is_static(o)
         limit = (2 if still else 1.2) if aside else 4 if hard else 2
-        seen = shown(a.structure, cid) if cid else ""
         them = once_seen(a.structure, [cid])[0] if cid else a.ref(cid)
         need = f"most_need(self, [{them}])" if them.startswith("*") else f"need(self, {them})"
         met = any(p.action == "collide" for p in a.spec.phases)
         also = f" or near(self, {a.ref(cid)})" if met else ""
         if phase.action == "stop" and is_stopped(a.spec) and not on_foot(a.structure) and a.value > 0:
             also += " or self.speed < 0.5"  # it was forced to
-        return f"until {seen + ' and ' if seen else ''}{need} > {limit}{also}"
+        return f"until {need} > {limit}{also}"
     if a.is_ego and phase.action == "stop" and (cid := _stopped_for(course, phase)):
         return f"until (distance from self to {a.ref(cid)}) < 14 + self.speed ** 2 / 6"
     if phase.action == "stop" and not a.is_ego and first and (cid := opposite_standing(course)):

@@ -79,7 +79,7 @@ async def test_what_contradicts_is_said_where_not_all_is_shown(stage):
         await stage.say(pilot, "/contradictions", wait=False)
         await stage.until(pilot, lambda: "1 found" in stage.bench.query_one("#status").content.plain)
         await pilot.press("escape")
-        await stage.until(pilot, lambda: not stage.bench.busy)
+        await stage.until(pilot, lambda: not stage.bench.turns.busy)
 
 
 def test_a_plot_has_its_greatest_value_on_top_and_joins_its_dots():

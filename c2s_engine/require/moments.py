@@ -18,6 +18,8 @@ OVER_LINE = ("cut_in", "cut_out", "lane_change")
 SLOWS = ("brake", "stop")
 SETS_OUT = ("enter_road", "cross_road", "move_along", "reverse")
 """What begins as somebody who stood sets out, long before it is seen on the road."""
+ONE_WAY = ("turn_left", "turn_right", "go_straight", "u_turn")
+"""Ways over a junction: who stood before it begins its own as it sets out."""
 SIDEWAYS = (*OVER_LINE, "swerve", "drift")
 LANE = 3.5
 """m, of most maps' lanes."""
@@ -89,14 +91,14 @@ def onset(motion: Motion, action: str, time: float) -> float:
         first = motion.at(time - LONGEST)
         moved = np.abs(beside(motion)[first : at + 1] - beside(motion)[first])
         return float(motion.time[first + int((moved > BEGUN).argmax())]) if (moved > BEGUN).any() else time
-    if action in (*SLOWS, "accelerate", "start"):
+    if action in (*SLOWS, "accelerate"):
         sign, rate = (-1 if action in SLOWS else 1), bounds()["phase"]["change_rate"]["value"] / 2
         while at > 0 and sign * motion.acceleration[at] <= rate and motion.time[at] > time - 1.0:
             at -= 1
         while at > 0 and sign * motion.acceleration[at - 1] > rate:
             at -= 1
         return float(motion.time[at])
-    if action in SETS_OUT and (stood := np.flatnonzero(motion.speed[: at + 1] < STANDING)).size:
+    if action in (*SETS_OUT, *ONE_WAY) and (stood := np.flatnonzero(motion.speed[: at + 1] < STANDING)).size:
         return float(motion.time[min(int(stood[-1]) + 1, at)])
     return time
 

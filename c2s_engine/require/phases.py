@@ -21,6 +21,8 @@ AT_JUNCTION = ("turn_left", "turn_right", "go_straight", "run_red", "run_stop")
 BY_SPEED = ("brake", "stop", "accelerate", "start", "wait", "stationary")
 """Seen on the tracks, so that a second braking is seen too; the others by the events of the run."""
 SLOWS = ("stop", "brake", "wait")
+CREEPS = 0.8
+"""m/s over which one has set out: people creep at 2 to 5 km/h."""
 SHARE = 0.5
 """Of a small change of speed that S says, what must be seen."""
 LASTING = ("keep_lane", "follow", "stationary", "move_along", "oncoming", "wait")
@@ -187,7 +189,10 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
         if action == "keep_lane" and earliest and not times:
             passing = str(requirement.values["after"]).endswith(".overtake")  # coming back is part of that
             times = moments.kept_from(motion, earliest, *((moments.LONGEST,) if passing else ()))
-    later = [t for t in times if t >= earliest - bounds()["order"]["room"]["value"]]
+    room = 0.0 if action == "start" else bounds()["order"]["room"]["value"]  # a stand ends after it has begun
+    later = [t for t in times if t >= earliest - room]
+    if action == "yield" and times and not later:  # it stood before, and lets that one pass as it may go
+        return earliest
     return min(later) if later else min(times, default=None)
 
 
@@ -221,7 +226,7 @@ def by_speed(motion: Motion, action: str, duration: float, change: float = np.in
     if action == "stop":
         return [motion.time[a] for a, b in standing if a > 0]
     if action == "start":
-        return [motion.time[b] for a, b in standing if b + 1 < len(speed) and motion.speed[b:].max() > 1.0]
+        return [motion.time[b] for a, b in standing if b + 1 < len(speed) and motion.speed[b:].max() > CREEPS]
     if action == "stationary":
         return [0.0] if not motion.moves else []
     return [motion.time[a] for a, b in standing if (b - a) * motion.step >= 0.8 * duration]

@@ -12,6 +12,9 @@ from c2s_engine.structure.quantity import Range, high, low
 from c2s_engine.structure.requirements import Kind, Requirement, Value
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 
+TURNS = ("turn_left", "turn_right", "go_straight", "u_turn")
+STOPS = ("stop", "wait", "yield")
+
 
 @cache
 def bounds() -> dict[str, Any]:
@@ -80,8 +83,9 @@ class Scene:
         return "ego" if actor == "ego" else f"{actor} ({self.objects[actor].name})"
 
     def phases(self) -> list[tuple[str, int, Phase]]:
-        """(actor, index, phase) of all."""
-        return [(a, i, p) for a, spec in self.actors.items() for i, p in enumerate(spec.phases)]
+        """(actor, index, phase) of all; who goes on with a turn after a stop on the way sets out again."""
+        return [(a, i, p.model_copy(update={"action": "start"}) if _goes_on(spec.phases[: i + 1]) else p)
+                for a, spec in self.actors.items() for i, p in enumerate(spec.phases)]  # fmt: skip
 
     def overtakes(self, one: str | None, other: str) -> bool:
         """Whether one actor overtakes another; it may be left open whom."""
@@ -101,3 +105,9 @@ class Scene:
             id=f"{cid}.{path}", kind=kind, component=cid, text=text, clause=clause, check=check, actor=actor,
             other=other, values=values,
         )  # fmt: skip
+
+
+def _goes_on(phases: tuple[Phase, ...]) -> bool:
+    """Whether the last of some phases goes on with the way over a junction that was begun before a stop."""
+    begun = [p.action for p in phases[:-2]]
+    return len(phases) > 2 and phases[-1].action in TURNS and phases[-1].action in begun and phases[-2].action in STOPS

@@ -21,6 +21,8 @@ SHOWN_AS = {"dark": ("off",), "flashing": ("yellow", "off")}
 """What the signal of a light shows that is out of order, or flashes."""
 BENDS = 1 / 150
 """1/m: a bend's curvature."""
+AT_LINE = 3.0
+"""m before its line within which one stands at it."""
 REACHED = 0.5
 """m/s within which a speed is reached."""
 
@@ -87,7 +89,8 @@ def comes_about(requirement: Requirement, evidence: Evidence) -> float | None:
         return value
     if kind == "action":
         seen, motion = evidence.times.get(str(v["awaited"])), evidence.motion(str(v["than"]))
-        return moments.onset(motion, str(v["its"]), seen) if seen is not None and motion else seen
+        begun = seen is not None and motion and v["its"] != "stop"  # that it stops can be seen when it stands
+        return moments.onset(motion, str(v["its"]), seen) if begun else seen  # type: ignore[arg-type]
     one, other = evidence.motion(str(v["subject"])), evidence.motion(str(v["than"]))
     if one is None:
         return None
@@ -141,8 +144,12 @@ def _at_place(motion: Motion, place: str, before: float) -> float | None:
         return None
     first = min(marks, key=lambda m: m.start)
     goal = {"past_intersection": first.end + motion.size[0], "merge_end": first.end}.get(place, first.start) - before
-    there = np.flatnonzero(front >= goal - (0.5 if place != "past_intersection" else 0.0))
-    return float(motion.time[there[0]]) if len(there) else None
+    there = np.flatnonzero(front >= goal - {"past_intersection": 0.0, "stop_line": AT_LINE}.get(place, 0.5))
+    if len(there) or place != "past_intersection":
+        return float(motion.time[there[0]]) if len(there) else None
+    inside = [i for i, s in enumerate(motion.course.stays) if s.kind == "junction"]  # of riders beside the lanes
+    after = motion.course.stays[inside[-1] + 1 :] if inside else ()
+    return after[0].time if after else None
 
 
 def _light(motion: Motion, evidence: Evidence, state: str) -> float | None:
@@ -174,6 +181,9 @@ def begins_when(requirement: Requirement, evidence: Evidence) -> Result:
         return decided(requirement, False, said, f"at {seen:.1f} s, and that never comes about", seen)
     due = since + float(v["delay"])  # type: ignore[arg-type]
     begun = moments.onset(motion, str(v["action"]), seen)
+    if v["action"] == "stop" and v["watched"] == "place" and float(v["value"]) <= 0:  # type: ignore[arg-type]
+        # it stands there, having slowed down before
+        begun = min(max(begun, due), seen)
     return _follows(requirement, begun, due, said, f"{begun:.1f} s, that at {since:.1f} s")
 
 

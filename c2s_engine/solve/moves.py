@@ -109,6 +109,7 @@ def _in_time(structure: Structure, requirement: Requirement, due: float, open_: 
          else _back(spec) * usual.speeds.get(who, 0.0)),
         (who, "phases.0.trigger", 1.0),
         (who, "placement.gap", -away if usual.speeds.get(who, 0.0) and who in usual.later else 0.0),
+        ("E", "phases.0.trigger", 1.0 if who != EGO and usual.speeds.get(who, 0.0) else 0.0),
         ("R", "distance", -away),
     ):
         unknown = find(open_, component, path)

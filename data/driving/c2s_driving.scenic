@@ -59,9 +59,7 @@ def _way(lane, turn=ManeuverType.STRAIGHT, bearing=0):
     points, goal = lane.centerline.pointsSeparatedBy(2), (lane.centerline[-1] - lane.centerline[-2]).rotatedBy(bearing)
     enough = len(points) + 400
     while len(points) < enough:
-        onward = [m for m in lane.maneuvers if turn in (m, m.type)]
-        onward = onward or [m for l in lane.group.lanes for m in l.maneuvers if m.type is turn]
-        onward = onward or sorted(lane.maneuvers, key=lambda m: abs(goal.angleWith(begin(m.endLane))))
+        onward = _onward(lane, turn, goal)
         if not onward:
             break
         if onward[0].connectingLane:
@@ -69,6 +67,12 @@ def _way(lane, turn=ManeuverType.STRAIGHT, bearing=0):
         lane, turn = onward[0].endLane, ManeuverType.STRAIGHT
         points += lane.centerline.pointsSeparatedBy(2)
     return points
+
+def _onward(lane, turn, goal):
+    """The manoeuvres by which a way goes on from a lane, the first of them first."""
+    onward = [m for m in lane.maneuvers if turn in (m, m.type)]
+    onward = onward or [m for l in lane.group.lanes for m in l.maneuvers if m.type is turn]
+    return onward or sorted(lane.maneuvers, key=lambda m: abs(goal.angleWith(begin(m.endLane))))
 
 way = distributionFunction(functools.lru_cache(maxsize=64)(_way))
 
@@ -85,8 +89,9 @@ def stations(points):
     return [0, *itertools.accumulate(steps)]
 
 def conflict(lane, points, others, near=2.2):
-    """Where two ways come within `near` m of one another for the first time: for each of them how far along it (m) that
-    begins, where they cross or have met, and where it ends. If they never do: where `lane` ends, and beside that."""
+    """Where two ways come within `near` m of one another for the first time from shortly before the end of `lane` on: for
+    each of them how far along it (m) that begins, where they cross or have met, and where it ends. If they never do: where
+    `lane` ends, and beside that."""
     one = numpy.array([(p.x, p.y) for p in points])
     two = numpy.array([(p.x, p.y) for p in others])
     apart = numpy.hypot(one[:, None, 0] - two[None, :, 0], one[:, None, 1] - two[None, :, 1])
@@ -98,7 +103,8 @@ def conflict(lane, points, others, near=2.2):
             last += 1
         return first, last
     away = apart.min(axis=1)
-    inside = numpy.flatnonzero(away < near)
+    there = numpy.array(stations(points)) > lane.centerline.length - 20  # who goes round may have been on it before
+    inside = numpy.flatnonzero((away < near) & there)
     first, last = stretch(away, inside[0] if len(inside) else nearest_to(lane.centerline[-1], points))
     spot = first + int(away[first:last + 1].argmin() if last - first < 15 else (away[first:last + 1] < 1.2).argmax())
     there = int(apart[spot].argmin())
@@ -339,6 +345,17 @@ def left_ring(car, beside=3):
     car.in_ring = inside or simulation().currentTime > 0 and getattr(car, 'in_ring', False)
     return car.in_ring and not inside
 
+def ring_exit(ego_way, bearing):
+    """The lane by which one leaves the roundabout of `ego_way` nearest to `bearing` (rad, to the left), as `way` does."""
+    line, lane = ego_way.startLane.centerline, ego_way.endLane
+    goal = (line[-1] - line[-2]).rotatedBy(bearing)
+    for _ in range(12):
+        onward = _onward(lane, ManeuverType.STRAIGHT, goal)
+        if lane not in ring_lanes(network)[1] or not onward:
+            break
+        lane = onward[0].endLane
+    return lane
+
 def ring_lane(ego_way):
     """The ring of the roundabout of `ego_way` up to where ego comes in: a lane over its junctions, nearly once round."""
     ways, ring = ring_lanes(network)
@@ -493,6 +510,7 @@ behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
     (likewise) to their left, moving there from where it is, as onto another lane, at `shift` m/s, gained at `SIDEWAYS`.
     Pure pursuit, slower in bends."""
     i, last, held = nearest(self, points), len(points) - 1, self.speed
+    self.points = points  # as others see where it goes
     left = (points[min(i + 1, last)] - points[min(i, last - 1)]).normalized().rotatedBy(90 deg)
     beside = max(-8, min(8, (self.position - points[i]).dot(left)))
     aside = max(-shift, min(shift, self.velocity.dot(left)))
@@ -504,6 +522,7 @@ behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
         wanted = offset() if callable(offset) else offset
         aside += max(-gained, min(gained, max(-shift, min(shift, max(1.2, 0.6 * shift) * (wanted - beside))) - aside))
         beside += aside * simulation().timestep
+        self.beside = beside
         ahead = min(i + 2 + int(0.35 * self.speed), last)
         along = (points[ahead] - points[max(ahead - 1, 0)]).normalized()
         there = beside + aside * (points[ahead] - self.position).dot(along) / max(self.speed, 4)  # by when it is there
@@ -988,6 +1007,35 @@ def short_of(car, points, others, speed, rate=3, room=3):
     gently = min(speed, car.speed + 2 * simulation().timestep)
     return up_to(min(ahead) - along_line(points, car.position)[0] - car.length / 2, gently, rate) if ahead else gently
 
+def short_of_ways(car, points, others, speed, rate=2.5, room=1):
+    """The speed (m/s), at most `speed` and gained gently, at which `car` comes to a stand `room` m before its points lead
+    it into the ways of those of the others that have not gone by there."""
+    rests = [rest for rest, to_go in [meets_way(car, points, other) for other in others] if to_go > 0]
+    gently = min(speed, car.speed + 2 * simulation().timestep)
+    return up_to(min(rests) - room, gently, rate) if rests else gently
+
+def clear_of_ways(car, points, others):
+    """Whether all of the others have gone by where the points of `car` lead it into their ways."""
+    return all(meets_way(car, points, other)[1] <= 0 for other in others)
+
+def meets_way(car, points, other):
+    """How far (m) the front of `car` is from where it comes into the way of `other`, and the rear of that one from having
+    gone by there; -1 where their ways do not meet."""
+    way = getattr(other, 'points', None) or straight_on(other)
+    known = car.met = getattr(car, 'met', {}) if clock() > 0 else {}
+    if (id(points), id(way)) not in known:
+        moved = shifted(way, getattr(other, 'beside', 0))
+        own, far = [shapely.geometry.LineString([(p.x, p.y) for p in line]) for line in (points, moved)]
+        aside = (car.width + other.width) / 2 + 0.3
+        inside = [k for k in range(nearest(car, points), len(points))
+                  if far.distance(shapely.geometry.Point(points[k].x, points[k].y)) < aside]
+        known[id(points), id(way)] = inside and (2 * inside[0], far.project(shapely.geometry.Point(*points[inside[0]][:2])), moved)
+    if not known[id(points), id(way)]:
+        return math.inf, -1
+    begin, there, moved = known[id(points), id(way)]
+    rest = begin - along_line(points, car.position)[0] - car.length / 2
+    return rest, there + 8 + other.length / 2 - along_line(moved, other.position)[0]
+
 
 # Places: where on a map a scenario can take place, told by what is there. Each function lists all that fit:
 #     place = Uniform(*junctions(STRAIGHT, control='signal', others=[From('left', STRAIGHT)]))
@@ -1003,6 +1051,8 @@ class Place(object):
     mark: m along the lane to what is special there (a crosswalk, the beginning of a bend); others: the lanes by which
     others reach the junction, as they were asked for (`from_left`, `from_right`, `from_opposite`: the first of those).
     """
+    leaving = 0  # rad to the left of where ego comes from: where it leaves a roundabout
+
     def __init__(self, lane, turn=None, mark=0, ramp=None, beside=None, others=(), longer=None, exit=0):
         self.lane, self.turn, self.mark, self.beside = lane, turn, mark, beside
         self.longer, self.exit = longer, exit
@@ -1053,7 +1103,9 @@ class Place(object):
 
     @property
     def exit_lane(self) -> Lane:
-        """The lane into which ego leaves the junction."""
+        """The lane into which ego leaves the junction, or the roundabout."""
+        if self.turn.intersection.id in map_facts().roundabouts:
+            return ring_exit(self.turn, self.leaving)
         return lengthened(self.turn.endLane, self.exit, ahead=True) if self.longer else self.turn.endLane
 
     @property
@@ -1168,16 +1220,19 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
             return places
     return []
 
-def roundabouts(approach=0, exit=0, others=(), arms_within=100, limit=None, across=False, **lanes):
-    """Ways of ego into roundabouts; `others` (a list of `From`) come in at arms that are `arms_within` m of ego's. The
-    rest as of `junctions`."""
+def roundabouts(approach=0, exit=0, others=(), arms_within=100, limit=None, across=False, leaving=0, **lanes):
+    """Ways of ego into roundabouts; `others` (a list of `From`) come in at arms that are `arms_within` m of ego's;
+    `leaving`: to which side ego leaves (rad, to the left). The rest as of `junctions`."""
     found = [m for i in network.intersections if i.id in map_facts().roundabouts for m in i.maneuvers
              if any(lane.road is m.startLane.road for lane in i.outgoingLanes)]
     def close(place):
         ends = place.lane.centerline[-1]
         return all((distance from lane.centerline[-1] to ends) < arms_within for lane in place.others)
     places = [Place(way.startLane, way) for way in found]
-    return [place for place in _at_junctions(places, approach, exit, limit, lanes, others, True, across) if close(place)]
+    places = [p for p in _at_junctions(places, approach, exit, limit, lanes, others, True, across) if close(p)]
+    for place in places:
+        place.leaving = leaving
+    return places
 
 def merges(ego_on='ramp', approach=0, exit=0, ramp_length=0, limit=None, across=False, **lanes):
     """Where a ramp joins a road: with ego on the 'ramp', on the lane 'beside' which the ramp's goes on, or on any lane of

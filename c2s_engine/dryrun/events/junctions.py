@@ -27,7 +27,7 @@ def junctions(seen: Seen, situation: Situation) -> Iterator[EventFact]:
         return
     found: list[EventFact] = []
     passed = visits(seen, situation)
-    rings = [visit for visit in passed if _in_ring(situation, visit[0])]
+    rings = [visit for visit in passed if in_ring(situation, visit[0])]
     found += [fact(turn, situation, step) for turn, step in _round(seen, situation, rings)]
     for junction, first, last in passed:
         turn = passage(seen, situation, junction, first, last)
@@ -77,7 +77,7 @@ def visits(seen: Seen, situation: Situation) -> list[tuple[str, int, int]]:
     return [visit for visit in found if is_intersection(situation, visit[0])]
 
 
-def _in_ring(situation: Situation, junction: str) -> bool:
+def in_ring(situation: Situation, junction: str) -> bool:
     """Whether a junction is one of those of a roundabout."""
     extras = situation.extras
     known = extras is not None and junction.isdigit() and extras.junctions.get(int(junction))
@@ -115,6 +115,17 @@ def _ring_roads(extras: MapExtras) -> set[int]:
     """The one-way roads that lead from one junction of a roundabout to the next."""
     known = [j for j in extras.junctions.values() if j.kind == "roundabout"]
     return {r for a in known for b in known if a is not b for r in set(a.outgoing) & set(b.incoming) - set(a.incoming)}
+
+
+def arms_of_ring(extras: MapExtras, junction: int) -> int:
+    """How many roads lead into the roundabout of a junction: it has a junction for each."""
+    round_, found = _ring_roads(extras), {junction}
+    while True:
+        roads = {r for j in found for r in (*extras.junctions[j].incoming, *extras.junctions[j].outgoing)} & round_
+        more = {i for i, j in extras.junctions.items() if roads & {*j.incoming, *j.outgoing}} - found
+        if not more:
+            return len(found)
+        found |= more
 
 
 @lru_cache(maxsize=64)

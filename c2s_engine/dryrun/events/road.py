@@ -3,7 +3,7 @@
 import numpy as np
 import shapely
 
-from c2s_engine.dryrun.events.junctions import faces, is_intersection, state
+from c2s_engine.dryrun.events.junctions import arms_of_ring, faces, in_ring, is_intersection, state
 from c2s_engine.dryrun.events.situation import NOWHERE, Seen, Situation
 from c2s_engine.structure.facts import RoadFacts
 
@@ -104,6 +104,10 @@ class EgoPath:
     def _arms(self, junction: str | None) -> str:
         if junction is None:
             return "none"
+        extras = self.situation.extras
+        if extras is not None and in_ring(self.situation, junction):
+            arms = arms_of_ring(extras, int(junction))
+            return "3way" if arms == 3 else "4way" if arms == 4 else "other"
         crossing = self.situation.index.junctions[junction]
         return "3way" if crossing.is3Way else "4way" if crossing.is4Way else "other"
 

@@ -63,7 +63,7 @@ def beside_ego(structure: Structure) -> Structure:
 
 def _placed(component: Component, spec: ObjectSpec, ego: EgoSpec, aside: float) -> Component:
     passes = any(p.action == "overtake" for p in spec.phases)
-    where = {"position": "partly_in_lane", "side": "left" if aside > 0 else "right", "along": "behind", "gap": None,
+    where = {"position": "partly_in_lane", "side": "left" if aside > 0 else "right", "along": "behind",
              "lateral": spec.placement.lateral if spec.placement.lateral is not None else LATERAL}  # fmt: skip
     changes: dict[str, object] = {"placement": spec.placement.model_copy(update=where)}
     phases = tuple(p for p in spec.phases if p.action not in ("overtake", "keep_lane", "follow"))

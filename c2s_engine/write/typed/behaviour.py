@@ -92,7 +92,7 @@ def _steps(course: Course) -> list[Step]:
             out = -2 if phase.abandoned and phase.action in LATERAL else -1
             done[out] = (done[out][0], f"until {watched(actor.structure, actor.plan, phase.until, actor.cid)}")
             if i + 1 == len(phases):  # it drives on
-                done.append(([course.drive(None if course.value > 0 else scope.number(SETS_OUT))], ""))
+                done.append(([course.drive(course.set(actor.value or SETS_OUT))], ""))
         if _at_line(course.actor, phase, i) and (turn := its_turn(course.actor)):
             done.append(([course.drive("0", 4)], f"until {turn}"))
     return done
@@ -109,6 +109,13 @@ def _overtaken_later(course: Course, phases: list[Phase]) -> str:
 def _at_line(actor: Actor, phase: Phase, i: int) -> bool:
     """Whether somebody stands at the stop line after its i-th phase."""
     return phase.trigger == AT_LINE or i == 0 and actor.is_ego and actor.value <= 0 and phase.action in STANDS
+
+
+def _at_stop_line(phase: Phase) -> bool:
+    """Whether somebody stops at its line."""
+    t = phase.trigger
+    there = phase.action == "stop" and t is not None and t.place == "stop_line" and t.subject is None
+    return there and t is not None and not middle(t.value or 0.0) and t.delay is None
 
 
 def _just_waits(phase: Phase) -> bool:
@@ -160,7 +167,7 @@ def _at_the_line(phases: list[Phase], red: bool) -> list[Phase]:
 
 def phases_of(actor: Actor) -> list[Phase]:
     """The phases, with what the place asks of ego (its red light, its stop sign) put first."""
-    phases = list(actor.spec.phases)
+    phases = [p.model_copy(update={"trigger": AT_LINE}) if _at_stop_line(p) else p for p in actor.spec.phases]
     settings, runs = actor.structure.settings.spec, any(p.action == "run_red" for p in phases)
     if actor.is_ego and not runs and isinstance(settings, SettingsSpec) and settings.light_changes:
         phases = lights.obeyed(phases, settings)
@@ -181,7 +188,11 @@ def phases_of(actor: Actor) -> list[Phase]:
         if i == 0 and actor.is_ego and actor.value <= 0 and phase.action == "stop" and then is not None:
             phases[i] = phase.model_copy(update={"action": "stationary"})  # it stands there
             continue
-        stands = phase.action == "stop" or i == 0 and actor.sets_out
+        if i == 0 and actor.sets_out and actor.value <= 0 and phase.action in STANDS:
+            phases[i] = phase.model_copy(update={"action": "wait"})  # it stands at its line
+            continue
+        under_way = {"start", *TURN} & {p.action for p in phases[:i]}  # it stops in the junction, not before it
+        stands = phase.action == "stop" and not under_way or i == 0 and actor.sets_out
         onward = then is not None and then.action in ONWARD
         if stands and phase.trigger is None and (onward or _before_junction(actor, phases[: i + 1])):
             phases[i] = phase.model_copy(update={"action": "stop", "trigger": AT_LINE, "duration": None})
@@ -191,7 +202,8 @@ def phases_of(actor: Actor) -> list[Phase]:
         return phases
     actions = {p.action for p in phases}
     control = actor.plan.place.control
-    if _red(actor) and not actions & {"run_red", "stop", "stationary"}:
+    standing = actions & {"stop", "stationary"} or actor.value <= 0 and "wait" in actions
+    if _red(actor) and "run_red" not in actions and not standing:
         return [*phases, Phase(action="stop", trigger=AT_LINE)]
     gives_way = actions & AT_SIGN or getattr(actor.spec, "reaction", "") == "yield" or actor.value <= 0
     if control == "stop" and not gives_way:

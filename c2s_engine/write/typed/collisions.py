@@ -15,6 +15,8 @@ CLOSE = 0.6
 """s behind ego: too little for who then does not stop."""
 SLOWER = 1.0
 """m/s by which one who is slower than ego falls behind it."""
+SETS_OUT_RATE = 2.0
+"""m/s2 with which one sets out from its line, as `setting_out_to_meet` of the driving library has it."""
 STOPS_AT = 6
 """m/s2 at which those brake who have hit another."""
 FULL, BUILT_UP = 7.0, 6.0
@@ -37,7 +39,7 @@ Step = tuple[list[str], str]
 
 def collides(c: Course, p: Phase) -> list[Step]:
     """The steps up to the contact: as it drives until both touch, where paths and times make them; nobody aims."""
-    sets_off = not c.value and "start" in _before(c, p)
+    sets_off = not c.value and (c.actor.sets_out or "start" in _before(c, p))
     other, goal = c.actor.ref(p.target), c.wanted(p, SETS_OUT if sets_off else c.value)
     late = slows_too_late(c, p)
     c.set(goal)
@@ -96,7 +98,8 @@ def _before(c: Course, p: Phase) -> set[str]:
 
 def _drives_on(c: Course, other: str) -> list[Step]:
     """As before until both touch: it does not look, or nobody gives way."""
-    return [([c.drive()], f"until touch(self, {other})"), _stands(c)]
+    rate = SETS_OUT_RATE if c.actor.sets_out else None
+    return [([c.drive(rate=rate)], f"until touch(self, {other})"), _stands(c)]
 
 
 def slows_too_late(c: Course, p: Phase) -> str:

@@ -13,8 +13,9 @@ from c2s_engine.write.typed.stations import outwards
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, TURN, is_static
 from c2s_engine.write.typed.usual import rides_beside, speed_of, turn_of
 
-RIDER = 2.5
-"""m/s2 by which a cyclist's speed changes, where nothing says how."""
+GENTLY = {"bicycle", "truck", "bus", "fire_truck"}
+GENTLE = 2.4
+"""m/s2 by which the speed of riders and heavy vehicles changes, where nothing says how."""
 USUAL_GAP, USUAL_HEADWAY = 4.0, 1.5
 """m and s: how one follows another, as `pace` in the driving library has it."""
 HALF_LANE = 1.75
@@ -71,6 +72,7 @@ class Course:
         self.value = actor.value  # m/s
         self.backwards = False
         self.home: list[tuple[list[str], str]] = []  # how it gets back to its lane once it has done what comes next
+        self.held = False  # whether it has stopped in the middle of the junction
         self.behind = ""  # whom it overtakes later, where that one is ahead in its lane
         self.aside = _aside(actor)  # m to the left of its lane's middle that it keeps to; "": it keeps to the middle
 
@@ -81,7 +83,7 @@ class Course:
     ) -> str:
         """The `do Drive` at a speed (the one in force), rate (m/s2), offset (m to the left), shift (m/s)."""
         goal = self._guarded(speed if speed is not None else self.cruise())
-        rate = rate or (RIDER if self.actor.is_ego and self.actor.spec.type == "bicycle" else None)
+        rate = rate or (GENTLE if self.actor.spec.type in GENTLY else None)
         extra = f", rate={scope.number(rate)}" if rate else ""
         offset = offset or self.aside
         extra += f", offset={offset}" if offset else ""

@@ -172,7 +172,7 @@ def _in_line(
     other = structure[spec.placement.of].spec
     assert isinstance(other, ObjectSpec)
     behind = stations.along(spec) < 0
-    position = other.placement.position
+    position = structure[stations.first_in_line(structure, cid, plan)].spec.placement.position  # type: ignore[union-attr]
     gap = draw(cid, stations.gap(spec, plan))
     to = gap + stations.bodies(spec, other, behind)
     if position in stations.FROM_END:

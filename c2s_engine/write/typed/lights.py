@@ -70,7 +70,7 @@ def obeyed(phases: list[Phase], settings: SettingsSpec) -> list[Phase]:
                 at = stop + 1
             waits = True
         elif change.to == "green" and waits:
-            if not any(p.action in ("start", "accelerate") for p in found[at:]):
+            if not any(p.action in ("start", "accelerate") and (p.trigger or i >= at) for i, p in enumerate(found)):
                 found.insert(at, Phase(action="start", trigger=Trigger(kind="light", light="green")))
                 at += 1
             waits = False

@@ -5,6 +5,7 @@ is steered in the run.
 """
 
 from dataclasses import dataclass
+from itertools import takewhile
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
@@ -14,7 +15,7 @@ from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.reactions import late_rate, reacting_phases
-from c2s_engine.write.typed.tables import LENGTH, WIDTH, is_static
+from c2s_engine.write.typed.tables import BEARING, LENGTH, TURN, WIDTH, is_static
 from c2s_engine.write.typed.threats import hits_ego, is_hit, threatening
 from c2s_engine.write.typed.usual import SETS_OUT, speed_of, turn_of
 
@@ -154,7 +155,8 @@ def _egos_way(structure: Structure, plan: Plan) -> tuple[str, str] | None:
     own = ego.model_copy(update={"phases": reacting_phases(ego, threatening(structure), structure, plan)})
     phases = behaviour.phases_of(Actor("E", own, structure, plan, "", 0, "EGO_SPEED", plan.ego_speed))
     speed, more = "EGO_SPEED", ""
-    standing = next((i for i, p in enumerate(phases) if p.action in STANDS_FOR), len(phases))
+    before = list(takewhile(lambda p: p.action not in TURN, phases))  # what it does on its way there
+    standing = next((i for i, p in enumerate(before) if p.action in STANDS_FOR), len(phases))
     if standing < len(phases) and not (standing and plan.ego_speed <= 0):
         held = _stands_for(phases[standing:])
         if held is None:
@@ -188,9 +190,6 @@ def _slower(phases: list[Phase], lane: str = "place.lane") -> str:
     end = "place.length" if lane == "place.lane" else f"{lane}.centerline.length"
     return f"({end} - {scope.number(before)}, {scope.number(goal)})"
 
-
-BEARING = {"left": "90 deg", "right": "-90 deg", "u_turn": "180 deg"}
-"""Where ego leaves a roundabout, to the left of where it came from."""
 
 
 def way_of_ego(plan: Plan) -> str:

@@ -7,7 +7,7 @@ from c2s_engine.structure.quantity import high
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.room import AT_THE_EDGE
 from c2s_engine.write.typed.scope import number, quantity
-from c2s_engine.write.typed.tables import APPROACH_NAME, JUNCTION, LENGTH, RAMP, SIDE
+from c2s_engine.write.typed.tables import APPROACH_NAME, BEARING, JUNCTION, LENGTH, RAMP, SIDE
 
 EGO_VARIES = 20.0
 """m of its lane within which ego starts, where nothing ahead says where."""
@@ -48,11 +48,13 @@ def call(plan: Plan, share: float = 0.0) -> Call:
         more = {"ego_on": "'beside'"}
     if spec.kind == "roundabout" and not _near(plan):
         more["arms_within"] = "math.inf"
+    if spec.kind == "roundabout" and plan.exit_room and spec.manoeuvre in BEARING:
+        more["leaving"] = BEARING[spec.manoeuvre]
     if plan.parked and spec.kind in ("road", "straight", "curve") and spec.shoulder is None:
         more["shoulder"] = "'preferred'"
     if plan.also and spec.kind == "intersection":
         more["also"] = f"[{', '.join(plan.also)}]"
-    if plan.single:
+    if plan.single or spec.kind == "roundabout" and spec.lanes == 1:
         more["lanes"] = "1"
     if spec.kind in STRETCHES:
         more |= {"speed": number(math.ceil(plan.fastest / STEP) * STEP)} if plan.fastest > SLOW else {}

@@ -53,9 +53,9 @@ _TO_END = {**dict.fromkeys(APPROACH_ANGLE, "_TO_JUNCTION"), "on_ramp": "_TO_MERG
 
 def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
     """Ahead of or behind an object that is itself on no lane of ego's direction: on the same lane as that one."""
-    parent = structure[spec.placement.of]
-    assert isinstance(parent.spec, ObjectSpec)
-    place = parent.spec.placement.position
+    parent, first = structure[spec.placement.of], structure[stations.first_in_line(structure, cid, plan)]
+    assert isinstance(parent.spec, ObjectSpec) and isinstance(first.spec, ObjectSpec)
+    place = first.spec.placement.position
     base = scope.constant(structure, parent.id)
     behind = stations.along(spec) < 0
     gap = scope.quantity(stations.gap(spec, plan))
@@ -64,9 +64,9 @@ def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) 
     if place in _TO_END:  # measured back from the lane's end
         name = f"{scope.constant(structure, cid)}{_TO_END[place]}"
         op = "+" if behind else "-"
-        turn = turn_of(parent.spec.phases)
+        turn = turn_of(first.spec.phases)
         lane = "place.ramp" if place == "on_ramp" else approach_name(plan, place, turn)
-        lane = pocket_name(place) if parent.id in plan.pocketed else lane
+        lane = pocket_name(place) if first.id in plan.pocketed else lane
         own = turn_of(spec.phases, turn)
         way = f"way({lane})" if place == "on_ramp" else _way_over(plan, lane, own)
         line = f"{name} = {base}{_TO_END[place]} {op} {gap} {op} {half}  # m"
@@ -144,10 +144,13 @@ def _approaching(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -
     lane = approach_name(plan, spec.placement.position, turn)
     lane = pocket_name(spec.placement.position) if cid in plan.pocketed else lane
     name = f"{scope.constant(structure, cid)}_TO_JUNCTION"
-    value = scope.quantity(stations.to_junction(cid, spec, plan))
+    value = f"{scope.quantity(stations.to_junction(cid, spec, plan))}  # m"
+    if spec.placement.gap is None and middle(speed_of(spec, plan.place)) <= 0:
+        before = scope.number(1 + LENGTH[spec.type] / 2)
+        value = f"{lane}.centerline.length - stop_line({lane}) + {before}  # m, at its line"
     at = f"-({member(spec, name)})" if spec.count > 1 else f"-{name}"
     line = _way_over(plan, lane, turn)
-    constants = meetings.start(structure, cid, plan, lane, line) or [f"{name} = {value}  # m"]
+    constants = meetings.start(structure, cid, plan, lane, line) or [f"{name} = {value}"]
     if cid in plan.set_out:
         constants += meetings.sets_out(structure, cid, plan, lane, line)
     loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)

@@ -14,6 +14,7 @@ from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.evasion import grip
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
+from c2s_engine.write.typed.stations import first_in_line
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static
 from c2s_engine.write.typed.threats import (
     every,
@@ -53,6 +54,8 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     cids = [c for c in cids if spec.reaction != "yield" or c not in hit]
     if spec.reaction == "yield" and cids:  # whom it let pass may then be ahead
         moving = [c for c in cids if not is_static(actor.structure[c].spec)]  # type: ignore[arg-type]
+        if _waits_for(spec, spec.react_to or ""):  # it stops short of their ways itself
+            moving = [c for c in moving if _comes_by(actor, c) not in {*APPROACH_ANGLE} - {"circulating"}]
         seen = once_seen(actor.structure, moving)
         return _around(statements, seen, 3, _brakes(seen)) if moving else statements
     round_it = {p.target for p in spec.phases if p.action == "overtake" and not _slows(actor.structure, p.target)}
@@ -103,6 +106,11 @@ def _hardest(structure: Structure) -> float:
     limits = getattr(structure.restrictions.spec, "limits", ())
     told = [li.maximum for li in limits if li.kind == "deceleration" and li.subject == "ego" and li.maximum]
     return min(told, default=math.inf)
+
+
+def _comes_by(actor: Actor, cid: str) -> str:
+    """The position of an object, or of the first in the queue that it is in."""
+    return _position(actor.structure, first_in_line(actor.structure, cid, actor.plan))
 
 
 def _position(structure: Structure, cid: str) -> str:
@@ -307,6 +315,16 @@ def _cut_off(spec: EgoSpec, structure: Structure, plan: Plan) -> str | None:
     return next((cid for cid in coming if cid != spec.react_to or spec.reaction == "brake"), None)
 
 
+def _waits_for(spec: EgoSpec, cid: str) -> bool:
+    """Whether ego's phases say themselves that it stands for somebody, or until that one has gone by."""
+    for i, p in enumerate(spec.phases):
+        after = [q.trigger for q in spec.phases[i + 1 : i + 2]]
+        ends = [t for t in (p.until, *after) if t is not None and t.kind in ("passed", "place")]
+        if p.action in STANDS and (p.target == cid or any(t.subject == cid for t in ends)):
+            return True
+    return False
+
+
 def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan: Plan) -> tuple[Phase, ...]:
     """Ego's phases with those that its place and its reaction add: merging, leaving, yielding, evading."""
     phases = spec.phases
@@ -319,9 +337,9 @@ def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan
     hit = {p.target for p in spec.phases if p.action == "collide"}
     if "yield" not in actions and (rider := _cut_off(spec, structure, plan)):
         spec = spec.model_copy(update={"phases": (Phase(action="yield", target=rider), *spec.phases)})
-    yields = spec.reaction == "yield" and "yield" not in actions and not gives_way_by(spec)
-    if yields and others and (spec.react_to or others[0]) not in hit:
-        yielding = Phase(action="yield", target=spec.react_to or others[0])
+    whom, yields = spec.react_to or next(iter(others), ""), spec.reaction == "yield" and "yield" not in actions
+    if yields and whom not in ("", *hit) and not gives_way_by(spec) and not _waits_for(spec, whom):
+        yielding = Phase(action="yield", target=whom)
         if plan.junction and (stands := _stands_first(spec)):
             return (*spec.phases[:stands], yielding, *spec.phases[stands:])
         aside = 1 if spec.phases and spec.phases[0].action == "lane_change" else 0  # out of the way first

@@ -117,7 +117,7 @@ def distance(
     if speed == 0 and place.kind in JUNCTION:  # ego stands at the junction's edge
         return round(max(AT_THE_EDGE, far + 4), 1)
     base = max(
-        min((9.5 if met else 4.0) * speed, 120),
+        min(9.5 * speed, LONGEST_APPROACH - 20) if met else min(4.0 * speed, 120),
         min(35.0, 6.0 * speed),
         12.0,
         *(_to_pass(o, speed, place) for o in objects.values()),

@@ -113,6 +113,15 @@ def in_line(structure: Structure, spec: ObjectSpec, plan: Plan) -> bool:
     return of not in ("ego", "E") and plan.lane_of[of] is None and spec.placement.position not in OWN_PLACE
 
 
+def first_in_line(structure: Structure, cid: str, plan: Plan) -> str:
+    """The first of the queue that one is in which is itself placed by another (`in_line`)."""
+    spec = structure[cid].spec
+    while isinstance(spec, ObjectSpec) and in_line(structure, spec, plan):
+        cid = spec.placement.of
+        spec = structure[cid].spec
+    return cid
+
+
 def base(structure: Structure, of: str, plan: Plan) -> str:
     """Whom something is measured from: `of` where that has a place along ego's lane, else "ego"."""
     parent = structure[of].spec if of not in ("ego", "E") else None

@@ -20,7 +20,7 @@ from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.people import BACKS_OUT, PULLS_OUT
 from c2s_engine.write.typed.tables import LANE_WIDTH, MOVES_OFF_ROAD, RAMP
 from c2s_engine.write.typed.threats import every
-from c2s_engine.write.typed.towards import ending, yields
+from c2s_engine.write.typed.towards import IN_MIDDLE, SHORT, ending, held_for, yields
 from c2s_engine.write.typed.usual import SETS_OUT, reach
 
 AT_LINE = Trigger(kind="place", place="intersection", value=0)
@@ -73,7 +73,12 @@ def _over_junction(c: Course, p: Phase) -> list[Step]:
     goal = c.set(c.wanted(p, _moving(c)))  # who stood at the line moves off
     if not (c.actor.plan.junction and (c.actor.is_ego or c.actor.approach or c.lane is not None)):
         return [([c.drive(goal)], ending(p, ""))]
+    phases = c.actor.spec.phases
+    then = next(iter(phases[phases.index(p) + 1 :]), None) if p in phases else None
+    if then is not None and held_for(c, then):  # it stops in the middle of its turn
+        return [([c.drive(goal)], "until self.speed > 1.5")] if c.held else []
     over = [([c.drive(goal)], "until self._intersection"), ([c.drive(goal)], "until not self._intersection")]
+    over = over[c.held :]
     if not c.aside or p.action == "go_straight":
         return over
     c.aside = ""  # it turned from beside another
@@ -121,18 +126,27 @@ def _stop(c: Course, p: Phase) -> list[Step]:
     if p.trigger and (p.trigger == AT_LINE or p.trigger.kind == "light") and (lane := c.actor.to_junction):
         own = "" if rate == 3.5 else f", rate={scope.number(rate - 0.5)}"
         first = ([f"do StopAtLine(line, {lane}, {c.speed}{own})"], "")
+    if held := held_for(c, p):
+        reach = SHORT if p.target else IN_MIDDLE
+        rest = f"lambda: short_of_ways(self, line, [{', '.join(held)}], {c.speed}, room={reach})"
+        first = ([c.drive(rest, 5)], "until self.speed < 0.2")
+        c.held = True
     if p.duration is None and (until := sets_out_to_meet(c)):
         return [first, ([drive], until)]
     return [first, ([drive], ending(p, "for 1 seconds"))]
 
 
 def _wait(c: Course, p: Phase) -> list[Step]:
-    return [([c.drive("0", 4)], ending(p, "for 3 seconds"))]
+    until = "" if p.duration is not None else sets_out_to_meet(c)
+    return [([c.drive("0", 4)], until or ending(p, "for 3 seconds"))]
 
 
 def _start(c: Course, p: Phase) -> list[Step]:
     goal = c.wanted(p, c.actor.value or SETS_OUT)
     c.set(goal)
+    phases = c.actor.spec.phases
+    if c.actor.is_ego and p in phases and any(q.action == "yield" for q in phases[phases.index(p) + 1 :][:1]):
+        return []  # it sets out up to where it lets that one pass
     drive = c.drive(scope.number(goal) if not c.actor.value else None, 2)
     return [([drive], ending(p, f"until self.speed > {scope.number(goal - 0.5)}"))]
 

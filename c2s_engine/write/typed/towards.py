@@ -2,13 +2,18 @@
 
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.collisions import Step
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.order import goes_after, turns_left
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, WORKS, is_static, is_walker
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, TURN, WORKS, is_static, is_vehicle, is_walker
 from c2s_engine.write.typed.threats import every, every_passed, standing
 from c2s_engine.write.typed.usual import SETS_OUT, SIREN, walks_first
 
+SETS_OFF = {*TURN, "start"}
+HOLDS = {"stop", "wait"}
+IN_MIDDLE, SHORT = 4, 1
+"""m before another's way at which one waits in the middle of a junction, and stops for one that it then sees."""
 ROOM = 4
 """m before somebody on foot where one stands to let them pass."""
 
@@ -20,11 +25,16 @@ def ending(phase: Phase, natural: str) -> str:
 
 def yields(c: Course, p: Phase) -> list[Step]:
     other, lane = c.actor.ref(p.target), c.actor.to_junction
+    phases = c.actor.spec.phases
+    then = next(iter(phases[phases.index(p) + 1 :]), None) if p in phases else None
+    if lane is not None and (beside := c.other(p.target)) and c.actor.is_ego \
+            and offset(beside, c.actor.spec, c.actor.plan.place):  # type: ignore[arg-type]  # fmt: skip
+        goal = c.set(_moving_on(c, p))
+        hold = c.drive(f"lambda: short_of_ways(self, line, [{other}], {goal}, room={SHORT})", 5)
+        return [([hold], f"until clear_of_ways(self, line, [{other}])"), *_onward(c, then)]
     go = ([c.drive(c.set(_moving_on(c, p)), 2)], "for 4 seconds")
     if in_next_lane(c, p):
-        phases = c.actor.spec.phases
-        then = phases[phases.index(p) + 1 :] if p in phases else ()
-        return [*_let_by(c, other), *([] if then and then[0].action == "lane_change" else [go])]
+        return [*_let_by(c, other), *([] if then and then.action == "lane_change" else [go])]
     if lane is None or _on_foot_behind(c, p) or c.behind and _comes_towards(c, p):
         return [*_until_forced(c, p, other), go]
     end = f"{lane}.centerline[-1]"
@@ -40,6 +50,27 @@ def yields(c: Course, p: Phase) -> list[Step]:
         gone += f" or left_ring({other})"
     up = [] if _waits_there(c, p) else [([c.drive()], near)]
     return [*up, ([stop], f"until {gone}"), go]
+
+
+def _onward(c: Course, then: Phase | None) -> list[Step]:
+    """How one goes on that has let another pass in the junction: by what comes next, where something does."""
+    return [] if then is not None else [([c.drive(rate=2)], "")]
+
+
+def held_for(c: Course, p: Phase) -> list[str]:
+    """Those short of whose ways somebody stops in the junction, in the middle of its turn: the one that it stops for,
+    or by whose passing that ends; none where it stops elsewhere."""
+    phases, i = c.actor.spec.phases, c.actor.spec.phases.index(p) if p in c.actor.spec.phases else 0
+    inside = p.trigger is not None and p.trigger.place == "in_intersection"
+    begun = inside or any(q.action in SETS_OFF for q in phases[:i])
+    if p.action not in HOLDS or not begun or not c.actor.plan.junction or c.actor.to_junction is None:
+        return []
+    ends = p.until or next((q.until or q.trigger for q in phases[i + 1 :]), None)
+    whom = p.target or (ends.subject if ends is not None else None)
+    spec = c.other(whom)
+    drives = spec is not None and is_vehicle(spec.type) and not is_static(spec)
+    meets = drives and not _in_front(c, p.model_copy(update={"target": whom}))
+    return [c.actor.ref(whom)] if meets else []
 
 
 def _waits_there(c: Course, p: Phase) -> bool:

@@ -20,7 +20,7 @@ from c2s_engine.write.typed.threats import (
     standing,
     threatening,
 )
-from c2s_engine.write.typed.towards import before_standing, in_next_lane, opposite_standing
+from c2s_engine.write.typed.towards import before_standing, held_for, in_next_lane, opposite_standing
 from c2s_engine.write.typed.usual import crosses, slows_before, speed_of
 from c2s_engine.write.typed.watching import METRES, watched, watches
 
@@ -44,6 +44,8 @@ def stated(course: Course, phase: Phase) -> str:
     t = phase.trigger
     assert t is not None
     value = middle(t.value) if t.value is not None else None
+    if t.place == "in_intersection" and held_for(course, phase):  # it comes up to there
+        return ""
     if not watches(t) and t.kind == "place":
         return _before_junction(course, value or 0, phase)
     if not watches(t) and t.kind == "distance":
@@ -76,7 +78,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     a = course.actor
     before = a.spec.phases[: a.spec.phases.index(phase)] if phase in a.spec.phases else ()
     said = phase.trigger is not None or phase.action == "stop" and phase.clearance is not None
-    if said or before and before[-1].action == "collide":
+    if said or before and before[-1].action == "collide" or held_for(course, phase):
         return ""
     if until := slows_too_late(course, phase):
         return until

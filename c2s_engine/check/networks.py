@@ -87,9 +87,9 @@ def _parsed(original: Callable[..., Any], cls: Any, path: Path, options: dict[st
     except (BrokenMap, ScenicError):
         raise
     except Exception as error:
-        what = f"{type(error).__name__}: {error}".rstrip(": ")[:200]
+        what = f" ({type(error).__name__}: {error})"[:200] if str(error) else ""
         raise BrokenMap(
-            f"Scenic cannot read the map {path.name}: its roads and links do not fit together ({what})"
+            f"Scenic cannot read the map {path.name}: its roads and links do not fit together{what}"
         ) from error
 
 

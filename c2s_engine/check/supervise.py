@@ -202,15 +202,23 @@ async def places(pool: Pool, request: PlacesRequest) -> PlacesReport:
         name = Path(request.map).name
         raise ValueError(why if name in why else f"Scenic cannot read the map {name}: {why}")
     zygote = await pool.nearest(request.map, header, job, blob)
+    if "read" not in zygote.grown:  # the map can be read, but these statements do not run
+        why = _first_error(await check(pool, check_request, None)) or "it does not run"
+        raise ValueError(f"the driving library is broken: {driving.path()}: {why}; install c2s anew, or mend it")
     child = await zygote.spawn(
         {**job, "kind": "places", "expressions": request.expressions, "first": request.first}, b""
     )
     gathered = _Gathered()
     report = await _watch(child, check_request.limits, gathered)
     if gathered.places is None:
-        found = [d.message for s in report.stages for d in s.diagnostics]
-        raise ValueError(found[0] if found else f"the map {request.map} could not be read")
+        raise ValueError(_first_error(report) or f"the map {request.map} could not be read")
     return PlacesReport.model_validate(gathered.places)
+
+
+def _first_error(report: CheckReport) -> str:
+    """The first thing that is wrong, in a sentence; nothing where all is well."""
+    errors = (d for stage in report.stages for d in stage.diagnostics if d.severity == "error")
+    return next((d.message for d in errors), "")
 
 
 async def import_program(pool: Pool, request: ImportRequest) -> ImportResult:

@@ -14,6 +14,8 @@ MAX_ELEMENTS = 1_000_000
 MAX_DEPTH = 40
 MAX_LENGTH = 100_000.0
 """m of a road."""
+COMPRESSED = (b"PK\x03\x04", b"\x1f\x8b", b"BZh", b"\xfd7zXZ\x00")
+"""How zip, gzip, bzip2 and xz files begin."""
 DRIVABLE = frozenset({"driving", "entry", "exit", "offRamp", "onRamp", "connectingRamp"})
 """The lane types that Scenic drives on."""
 
@@ -58,7 +60,10 @@ def parse(path: Path) -> ET.Element:
     parser.EntityDeclHandler = refuse
     try:
         refuse_large(path)
-        parser.Parse(path.read_bytes(), True)  # at once: a long attribute in pieces takes quadratic time
+        data = path.read_bytes()
+        if data.startswith(COMPRESSED):
+            raise BrokenMap(f"{path.name} is a compressed file: unpack it, and give the .xodr file that is in it.")
+        parser.Parse(data, True)  # at once: a long attribute in pieces takes quadratic time
         root = builder.close()
     except expat.ExpatError as error:
         reason = expat.errors.messages.get(error.code, "no XML")
@@ -238,7 +243,8 @@ def read_road(element: ET.Element) -> Road:
     sections = tuple(_section(section) for section in element.findall("lanes/laneSection"))
     rid = int(number(element, "id"))
     if not pieces or not sections:
-        raise BrokenMap(f"Road {rid} of the map has no {'geometry' if not pieces else 'lanes'}.")
+        missing = "geometry (<planView>)" if not pieces else "lanes"
+        raise BrokenMap(f"Road {rid} of the map has no {missing}: export the map again, or take another.")
     length = number(element, "length")
     if not 0 <= length <= MAX_LENGTH or any(not 0 <= piece.length <= MAX_LENGTH for piece in pieces):
         raise BrokenMap(f"Road {rid} of the map has a length that no road has.")

@@ -123,11 +123,12 @@ def test_a_roundabout_without_a_mark_is_found_by_its_ring(tmp_path, extras):
         ('<?xml version="1.0" encoding="UTF-16"?><!DOCTYPE a []><OpenDRIVE/>'.encode("utf-16"), "document type"),
         (b'<OpenDRIVE><road id="x" length="1"/></OpenDRIVE>', "should be a number"),
         (b'<OpenDRIVE><road id="1" length="nan" junction="-1"/></OpenDRIVE>', "no geometry"),
-        (gzip.compress(b"0" * 5_000_000, mtime=0), "no well-formed XML"),
+        (gzip.compress(b"0" * 5_000_000, mtime=0), "bad.xodr is a compressed file: unpack it"),
+        (b"PK\x03\x04" + b"\0" * 60, "bad.xodr is a compressed file: unpack it"),
         (b"<OpenDRIVE>" + b"<a>" * 1000 + b"</a>" * 1000 + b"</OpenDRIVE>", "more elements, or deeper"),
         (f"<OpenDRIVE>{ROAD}</OpenDRIVE>".replace("{length}", "1e12").encode(), "a length that no road has"),
     ],
-    ids=range(12),
+    ids=range(13),
 )
 def test_broken_maps_are_refused_in_one_sentence(tmp_path, content, said):
     path = tmp_path / "bad.xodr"

@@ -1152,9 +1152,10 @@ class From(object):
 
 def stretches(straight=False, two_way=True, crosswalk=None, **wanted):
     """Stretches of road, ego anywhere on them: `straight` ones; `two_way`: with the other direction beside them (else
-    one-way roads, too, ramps apart); with a `crosswalk` between their junctions, or without (False). `wanted`: `length`
-    (m, or as much of it as there is; `share`: but so much of it, up to the next junction), `least` (m), `speed` (m/s that
-    their bends allow, where there are such), and what `lane_fits` and `limit` mean."""
+    one-way roads, too, ramps apart); with a `crosswalk` between their junctions, or without (False); without a stop sign
+    ahead where there are such. `wanted`: `length` (m, or as much of it as there is; `share`: but so much of it, up to
+    the next junction), `least` (m), `speed` (m/s that their bends allow, where there are such), and what `lane_fits`
+    and `limit` mean."""
     facts = map_facts()
     def fits(lane):
         along = (lane.centerline[-1] - lane.centerline[0]).norm()
@@ -1284,11 +1285,12 @@ def _along_roads(fits, length=0, least=0, limit=None, speed=0, share=0, **lanes)
              if lane_fits(lane, lane.sections[0], **lanes) and fits(lane)]
     for part, over in [(part, over) for part, over in SHARES if part >= share and not (share and over == JUNCTIONS)]:
         metres = max(part * length, least)
-        long = [_longer(place, metres, over, lanes, ahead=True) for place in found]
-        long = [place for place in long if place and (over is None or fits(place.lane))]
+        long = {_longer(place, metres, over, lanes, ahead=True): place for place in found}
+        long = {place: start for place, start in long.items() if place and (over is None or fits(place.lane))}
         fast = [place for place in long if speed and bends_allow(place.lane, speed, metres)]
         if fast or long and not (speed and share):
-            return _posted(_exactly(lanes.get('lanes'), fast or long), limit)
+            best = _posted(_exactly(lanes.get('lanes'), fast or [*long]), limit)
+            return [place for place in best if unstopped(long[place].lane, length)] or best
     if lanes.get('lanes') == 1 and not share:  # no road that long has only one
         return _along_roads(fits, length, least, limit, speed, **{**lanes, 'lanes': None})
     return []
@@ -1300,6 +1302,19 @@ def bends_allow(lane, speed, metres):
     x, y = [numpy.interp(numpy.arange(0, min(metres, way[-1]), 4), way, points[:, k]) for k in (0, 1)]
     turns = numpy.diff(numpy.unwrap(numpy.arctan2(numpy.diff(y), numpy.diff(x))))
     return not len(turns) or numpy.abs(turns).max() / 4 * speed ** 2 <= 4
+
+BEYOND = 100  # m behind a junction in which there is no stop sign, where there is such a place
+
+def unstopped(lane, metres):
+    """Whether the way on, straight where there is a choice, meets no stop sign in the `metres` from a lane's start."""
+    goal, gone, passed = lane.centerline[-1] - lane.centerline[-2], 0, []
+    while lane and lane not in passed and gone + lane.centerline.length < metres:
+        passed, gone = [*passed, lane], gone + lane.centerline.length
+        step = onward(lane, True) or min(lane.maneuvers, default=None, key=lambda m: abs(goal.angleWith(begin(m.endLane))))
+        if step and step.intersection and map_facts().sign(lane, step.intersection) == 'stop':
+            return False
+        lane = step and step.endLane
+    return True
 
 SHARES = [(1, None), (1, ROADS), (0.7, None), (0.7, ROADS), (0.45, None), (0.45, ROADS), (1, JUNCTIONS),
           (0.7, JUNCTIONS), (0.25, None), (0.25, ROADS), (0.45, JUNCTIONS), (0.25, JUNCTIONS)]
@@ -1314,7 +1329,8 @@ def _at_junctions(places, approach, exit, limit, lanes, others=(), roundabout=Fa
                 found.append(Place(place.lane, place.turn, place.mark, place.merging, place.beside, reached,
                                    place.longer, place.exit))
         if found:
-            return _posted(_exactly(lanes.get('lanes'), found), limit)
+            best = _posted(_exactly(lanes.get('lanes'), found), limit)
+            return [place for place in best if unstopped(place.turn.endLane, BEYOND)] or best
     return []
 
 def _exactly(lanes, places):

@@ -60,7 +60,8 @@ def write_object(structure: Structure, cid: str, plan: Plan) -> str:
 
 def _cruises(statements: list[str]) -> str:
     """The library's behaviour for who drives its way at its speed and no more; "": it does more than that."""
-    found = re.fullmatch(r"line = (.+)\ntake SetSpeedAction\((\w+)\)\ndo Drive\(line, \2(?:, rate=[\d.]+)?\)", "\n".join(statements))
+    drives = r"line = (.+)\ntake SetSpeedAction\((\w+)\)\ndo Drive\(line, \2(?:, rate=[\d.]+)?\)"
+    found = re.fullmatch(drives, "\n".join(statements))
     return f"Cruise({found[1]}, {found[2]})" if found else ""
 
 

@@ -100,6 +100,7 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         structure = before
         for edit in edits:
             structure = by_hand.apply(structure, edit)
+        structure = by_hand.with_names(structure, before)
         method = method_of(state)
         for edit in method.described(before, structure) if edits else []:
             structure = steps.apply(structure, edit)
@@ -116,7 +117,7 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
             structure = unwritten.left(before, structure, emit)
         elif edits:
             structure = await read_back(before, structure, found.writer, tools.check, emit)
-            structure, changed = await in_place.followed(before, structure, found.writer.map, tools.check, emit)
+            structure, changed = await in_place.followed(before, structure, found.writer, tools.check, emit)
         structure = retold(before, structure)
         emit(StructureChanged(structure=structure))
         update: State = {

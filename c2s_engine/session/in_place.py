@@ -1,6 +1,7 @@
 """Edits of fields followed by code by hand: a literal is changed where the program, read again, then says the new value
 and nothing else anew. Where no literal does, the code stays for the writer's offer."""
 
+import contextlib
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -12,7 +13,7 @@ from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import ComponentState, ProgramChanged, Progress, Say
-from c2s_engine.structure.sentences import sentence
+from c2s_engine.structure.sentences import sentence, with_sentence
 from c2s_engine.structure.specs import SettingsSpec
 from c2s_engine.write import by_hand
 from c2s_engine.write.in_place import (
@@ -33,7 +34,8 @@ from c2s_engine.write.in_place import (
     together,
     told,
 )  # fmt: skip
-from c2s_engine.write.typed.writer import MapChoice
+from c2s_engine.write.merged import merged
+from c2s_engine.write.typed.writer import MapChoice, TypedWriter
 
 READINGS = 40
 """The most times that a program is read for one turn (some 80 ms each)."""
@@ -41,24 +43,45 @@ GAP = ("placement", "gap")
 
 
 async def followed(
-    before: Structure, after: Structure, chosen: MapChoice, check: CheckClient, emit: Emit
+    before: Structure, after: Structure, writer: TypedWriter, check: CheckClient, emit: Emit
 ) -> tuple[Structure, list[ComponentId]]:
     """The structure after edits, with code by hand changed where it can follow them; whose code that is."""
     asked = [c.id for c in after.components if c.origin in by_hand.OWN and c.id in before and _edited(before[c.id], c)]
+    merging = []
+    for cid in [cid for cid in asked if before[cid].origin == "by_hand"]:
+        if (ours := _merged(before, after, cid, writer)) is not None:
+            emit(Say(text=f"{cid}: the change was merged into your code."))
+            emit(ComponentState(component=ours, state="by_hand"))
+            after = by_hand.followed(after.with_component(ours), before, cid, by_hand.in_step(before, cid))
+            before = before.with_component(after[cid])
+            merging.append(cid)
+    asked = [cid for cid in asked if cid not in merging]
     if not asked:
-        return after, []
+        return after, merging
     reader = _Reader(check)
     try:
         read = await reader.read(after)
     except CheckError:
-        return after, []  # what cannot be read at all is not changed
+        return after, merging  # what cannot be read at all is not changed
     work = _Work(before, after, read, reader)
     for cid in asked:
         if cid == "G":
-            await work.settings(chosen)
+            await work.settings(writer.map)
         else:
             await work.component(cid)
-    return work.marked(emit)
+    after, changed = work.marked(emit)
+    return after, [*merging, *changed]
+
+
+def _merged(before: Structure, after: Structure, cid: ComponentId, writer: TypedWriter) -> Component | None:
+    """A component with what its writer would write otherwise now put into its code; None where it would not, or where
+    the code was changed just there."""
+    ours = with_sentence(before, after, cid)
+    with contextlib.suppress(ValueError):
+        base, other = writer.write(before, cid), writer.write(after.with_component(ours), cid)
+        if base.code != other.code and (code := merged(base.code, ours.code, other.code)) is not None:
+            return ours.model_copy(update={"code": code})
+    return None
 
 
 def told_of(changed: Sequence[ComponentId], emit: Emit) -> Emit:

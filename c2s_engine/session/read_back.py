@@ -12,10 +12,11 @@ from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Say
 from c2s_engine.structure.quantity import in_words
 from c2s_engine.structure.regenerate import key_of
-from c2s_engine.structure.sentences import retold
+from c2s_engine.structure.sentences import retold, with_sentence
 from c2s_engine.write import by_hand
 from c2s_engine.write.in_place import Change, at, changes, data, ends, put, same
 from c2s_engine.write.inverted import as_field
+from c2s_engine.write.merged import Upon, without_numbers
 from c2s_engine.write.typed.writer import TypedWriter
 
 
@@ -25,16 +26,12 @@ async def read_back(
     """S after edits of code by hand, in step with that code as far as it can be read."""
     edited = [c.id for c in after.components if c.id in before and _by_hand(before, after, c.id)]
     told: list[tuple[ComponentId, Change]] = []
-    for cid in [c for c in edited if before[c].origin == "rendered" and after[c].code]:
-        fields = as_field(before[cid].code, after, cid, writer)
+    for cid in [c for c in edited if before[c].origin in ("rendered", "by_hand") and after[c].code]:
+        fields = _numbers_read(before, after, cid, writer)
         if fields is not None:
-            told += [(cid, change) for change in changes(data(after[cid]), data(fields[cid]))]
-            said = {change.name for change in changes(data(after[cid]), data(fields[cid]))}
-            assumed = tuple(a for a in after[cid].assumed if a.field not in said)
-            ours = fields[cid].model_copy(update={"origin": "rendered", "conflict": None, "assumed": assumed})
-            after = retold(before, fields.with_component(ours))
-            key = key_of(after, cid, writer) if after[cid].description == ours.description else ""  # to be written anew
-            after = after.with_component(after[cid].model_copy(update={"key": key}))
+            found = changes(data(after[cid]), data(fields[cid]))
+            told += [(cid, change) for change in found]
+            after = _in_step(before, after, fields, cid, {change.name for change in found}, writer)
             edited.remove(cid)
     if edited:
         after, more = await _read_again(before, after, check)
@@ -42,6 +39,35 @@ async def read_back(
     for cid, change in told:
         emit(Say(text=f"{cid}, read from the code: {field_words(change.name)} is {_shown(change)}."))
     return after
+
+
+def _numbers_read(before: Structure, after: Structure, cid: ComponentId, writer: TypedWriter) -> Structure | None:
+    """S with the fields that numbers changed by hand stand for; None where there are none or no field does."""
+    own, old = after[cid].code, without_numbers(before[cid].code, after[cid].code)
+    if own.strip() == old.strip():
+        return None
+    try:
+        base = before[cid].code if before[cid].origin == "rendered" else writer.write(before, cid).code
+    except ValueError:
+        return None
+    return as_field(old, after, cid, Upon(writer, base, old))
+
+
+def _in_step(
+    before: Structure, after: Structure, fields: Structure, cid: ComponentId, said: set[str], writer: TypedWriter
+) -> Structure:
+    """S with those fields: code in which but numbers were changed is what the writer writes for them."""
+    assumed = tuple(a for a in after[cid].assumed if a.field not in said)
+    plain = before[cid].origin == "rendered" and without_numbers(before[cid].code, after[cid].code) == before[cid].code
+    update = {"assumed": assumed, **({"origin": "rendered", "conflict": None} if plain else {})}
+    ours = fields[cid].model_copy(update=update)
+    if not plain:
+        ours = with_sentence(before, fields.with_component(ours), cid)
+        whole = before[cid].origin == "rendered" or by_hand.in_step(before, cid)
+        return by_hand.followed(fields.with_component(ours), before, cid, whole)
+    after = retold(before, fields.with_component(ours))
+    key = key_of(after, cid, writer) if after[cid].description == ours.description else ""  # to be written anew
+    return after.with_component(after[cid].model_copy(update={"key": key}))
 
 
 def _by_hand(before: Structure, after: Structure, cid: ComponentId) -> bool:

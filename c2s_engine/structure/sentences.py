@@ -288,6 +288,19 @@ def sentence(component: Component, structure: Structure) -> str:
             return restrictions(component.spec, names)
 
 
+def with_sentence(before: Structure, after: Structure, cid: str) -> Component:
+    """A component of S after a change, its sentence, also in the comment that borders its code, saying what its spec
+    does now, if it did before."""
+    component, was = after[cid], before[cid].description
+    if not was == component.description == sentence(before[cid], before):
+        return component
+    now = sentence(component, after)
+    border, code = f"## {cid}: {was}\n", component.code
+    if code.startswith(border):
+        code = f"## {cid}: {now}\n{code.removeprefix(border)}"
+    return component.model_copy(update={"description": now, "code": code})
+
+
 def retold(before: Structure, after: Structure) -> Structure:
     """S after a change, each sentence that said what the spec did saying what it does now: a sentence of the user's
     own stays, and so does that of a component whose code is not written from its spec."""

@@ -10,6 +10,8 @@ from c2s_engine.structure import edits, names
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import Edit
 from c2s_engine.structure.regenerate import FragmentWriter, digest, interface
+from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.write.typed import scope
 
 OWN = ("by_hand", "imported")
 TAKEN = "taken"
@@ -78,6 +80,21 @@ def followed(structure: Structure, before: Structure, cid: ComponentId, whole: b
     was = before[cid].key.split(":") if _marked(before[cid]) else _mark(before, cid).split(":")
     key = ":".join([*was[:1], digest(structure[cid].code), *was[2:]])
     return structure.with_component(structure[cid].model_copy(update={"key": key}))
+
+
+def with_names(structure: Structure, before: Structure) -> Structure:
+    """The structure in which an object that became one of another type has the name of before, where code by hand uses
+    its variable."""
+    own = frozenset[str]().union(*(names.uses(c.code) | names.defines(c.code).keys() for c in _own(before)))
+    variables = scope.variables(before)
+    for component in [c for c in structure.objects if c.id in before]:
+        was, spec = before[component.id].spec, component.spec
+        if not (isinstance(was, ObjectSpec) and isinstance(spec, ObjectSpec)) or was.type == spec.type:
+            continue
+        if was.name != spec.name and variables[component.id] in own:
+            kept = spec.model_copy(update={"name": was.name})
+            structure = structure.with_component(component.model_copy(update={"spec": kept}))
+    return structure
 
 
 def carried(structure: Structure, before: Structure) -> Structure:

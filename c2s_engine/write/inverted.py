@@ -8,8 +8,8 @@ from pydantic import ValidationError
 
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import SPEC_ADAPTER
-from c2s_engine.structure.regenerate import FragmentWriter
 from c2s_engine.write.in_place import data, ends, put
+from c2s_engine.write.merged import Upon
 
 MOST = 3
 """Numbers that may be changed at once."""
@@ -17,12 +17,12 @@ _TOKEN = re.compile(r"\d+(?:\.\d+)?|\w+|\s+|.")
 _UNITS = (1.0, 3.6, 1 / 3.6)
 
 
-def as_field(old: str, structure: Structure, cid: ComponentId, writer: FragmentWriter) -> Structure | None:
+def as_field(old: str, structure: Structure, cid: ComponentId, writer: Upon) -> Structure | None:
     """The structure (whose component has the new code) with the fields for which the writer writes that code; None
     where it is not by numbers alone that the code differs from the `old`, or where no fields give it."""
     wanted = structure[cid].code.strip()
     differing = _numbers(old.strip(), wanted)
-    if not 0 < len(differing) <= MOST:
+    if not differing or len(differing) > MOST:
         return None
     left = len(differing)
     while left:
@@ -35,7 +35,7 @@ def as_field(old: str, structure: Structure, cid: ComponentId, writer: FragmentW
 
 def _nearer(
     structure: Structure, cid: ComponentId, differing: list[tuple[str, str]], wanted: str, left: int,
-    writer: FragmentWriter,
+    writer: Upon,
 ) -> tuple[Structure, int] | None:  # fmt: skip
     """The structure with one more field changed, after which fewer numbers differ, and how many."""
     fields, tried = data(structure[cid]), set()
@@ -51,19 +51,18 @@ def _nearer(
                     found = writer.write(trial, cid).code.strip()
                 except (ValidationError, ValueError):
                     continue
-                if found == wanted:
-                    return trial, 0
-                if 0 < len(_numbers(found, wanted)) < left:
-                    return trial, len(_numbers(found, wanted))
+                others = _numbers(found, wanted)
+                if others is not None and len(others) < left:
+                    return trial, len(others)
     return None
 
 
-def _numbers(old: str, new: str) -> list[tuple[str, str]]:
-    """The numbers that differ; none where anything else does, too."""
+def _numbers(old: str, new: str) -> list[tuple[str, str]] | None:
+    """The numbers that differ; None where anything else does, too."""
     one, other = _TOKEN.findall(old), _TOKEN.findall(new)
     pairs = [(a, b) for a, b in zip(one, other, strict=False) if a != b]
     plain = len(one) == len(other) and all(a[0].isdigit() and b[0].isdigit() for a, b in pairs)
-    return pairs if plain else []
+    return [(a, b) for a, b in pairs if float(a) != float(b)] if plain else None
 
 
 def _leaves(value: Any, path: tuple[str | int, ...] = ()) -> Iterator[tuple[tuple[str | int, ...], Any]]:

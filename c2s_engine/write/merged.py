@@ -1,0 +1,74 @@
+"""Code by hand and code written for other fields, merged word by word upon what both came from (a three-way merge)."""
+
+import re
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+
+from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.regenerate import FragmentWriter
+
+_NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
+_TOKEN = re.compile(r"\d+(?:\.\d+)?|\w+|\n[^\S\n]*|[^\S\n]+|.")
+
+
+@dataclass(frozen=True)
+class Upon:
+    """What a writer writes, merged into code by hand: `base`, which the writer wrote when it was edited, and `own`."""
+
+    writer: FragmentWriter
+    base: str
+    own: str
+
+    def write(self, structure: Structure, cid: ComponentId) -> Component:
+        """Raises ValueError where the two cannot be merged."""
+        written = self.writer.write(structure, cid)
+        code = merged(self.base, self.own, written.code)
+        if code is None:
+            raise ValueError(f"the code of {cid} was changed where other fields change it")
+        return written.model_copy(update={"code": code})
+
+
+def merged(base: str, own: str, other: str) -> str | None:
+    """`own`, with the words and numbers that `other` has otherwise than `base`; None where `own` differs from `base`
+    there, too. The comment that borders a component is the other's, unless it was changed."""
+    (border, base), (own_border, own), (other_border, other) = (_parted(text) for text in (base, own, other))
+    start, mine, theirs = (_TOKEN.findall(text.strip()) for text in (base, own, other))
+    where = {-1: -1, len(start): len(mine)}
+    for found in SequenceMatcher(None, _values(start), _values(mine), autojunk=False).get_matching_blocks():
+        where |= {found.a + k: found.b + k for k in range(found.size)}
+    places: list[tuple[int, int, list[str]]] = []
+    for tag, i1, i2, j1, j2 in SequenceMatcher(None, start, theirs, autojunk=False).get_opcodes():
+        if tag == "equal":
+            continue
+        around = range(i1 - 1, i1 + 1) if tag == "insert" else range(i1, i2)
+        at = [where[i] for i in around if i in where]
+        if len(at) < len(around) or at[-1] - at[0] != len(at) - 1:
+            return None
+        first = at[-1] if tag == "insert" else at[0]
+        places.append((first, first + i2 - i1, theirs[j1:j2]))
+    for first, last, tokens in reversed(places):
+        mine[first:last] = tokens
+    head, tail = own[: len(own) - len(own.lstrip())], own[len(own.rstrip()) :]
+    return (other_border if own_border == border else own_border) + head + "".join(mine) + tail
+
+
+def without_numbers(base: str, own: str) -> str:
+    """`own`, with the lines of `base` wherever it has but other numbers than these."""
+    start, mine = base.split("\n"), own.split("\n")
+    for tag, i1, i2, j1, j2 in SequenceMatcher(None, start, mine, autojunk=False).get_opcodes():
+        if tag == "replace" and i2 - i1 == j2 - j1:
+            for i, j in zip(range(i1, i2), range(j1, j2), strict=True):
+                if _NUMBER.sub("0", start[i]) == _NUMBER.sub("0", mine[j]):
+                    mine[j] = start[i]
+    return "\n".join(mine)
+
+
+def _parted(code: str) -> tuple[str, str]:
+    """A component's border, a comment line, and the rest."""
+    at = code.find("\n") + 1 if code.startswith("## ") else 0
+    return code[:at], code[at:]
+
+
+def _values(tokens: list[str]) -> list[str | float]:
+    """Tokens, numbers as such: 5.0 is 5."""
+    return [float(t) if _NUMBER.fullmatch(t) else t for t in tokens]

@@ -9,6 +9,7 @@ from rich.text import Text
 
 from c2s_engine.commands.console import out
 from c2s_engine.session.seeds import verdict
+from c2s_engine.session.why import KEPT
 from c2s_engine.structure.components import Structure, unrecognised
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.facts import EventFact, RunFacts
@@ -23,6 +24,8 @@ def structure(s: Structure, to: Console = out) -> None:
     table = Table(show_header=False, box=None, pad_edge=False)
     for c in s.components:
         table.add_row(Text(c.id, style="bold"), Text(c.description or "-"))
+        if c.by_hand == "apart":
+            table.add_row("", Text(KEPT, style="yellow"))
         for a in c.assumed:
             table.add_row("", Text(f"assumed {a.called} = {a.value}: {a.reason}", style="dim"))
         for u in c.unmet:

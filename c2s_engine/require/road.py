@@ -16,12 +16,11 @@ SIGNS = {"signal": "traffic_light", "stop": "stop_sign", "yield": "yield_sign"}
 
 def required(scene: Scene) -> Iterator[Requirement]:
     place = scene.place
-    recognised = scene.structure.place.origin not in ("by_hand", "imported")
 
     def make(check: str, path: str, text: str, **values: float | str | bool | tuple[str, ...]) -> Requirement:
         return scene.make("road", check, EGO, path, text, component="R", **values)  # type: ignore[arg-type]
 
-    if recognised and place.kind in ("intersection", "straight", "road", "curve"):
+    if scene.structure.place.recognised and place.kind in ("intersection", "straight", "road", "curve"):
         yield make("road_kind", "kind", f"Ego's way leads over this kind of place: {place.kind}.", place=place.kind)
     if place.arms and scene.stated("R", "arms"):
         yield make(

@@ -56,7 +56,7 @@ class Scene:
 
     def recognised(self, actor: str) -> bool:
         """Whether the component's spec says what it does: not so where its code is by hand or was imported."""
-        return self.component(actor).origin not in ("by_hand", "imported")
+        return self.component(actor).recognised
 
     def says(self, actor: str, field: str) -> bool:
         """Whether S says a field of a component: of imported ones only what was recognised, never what is a default."""

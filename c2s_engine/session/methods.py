@@ -16,6 +16,7 @@ from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.edits import Edit
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import Say, StageDone, StageStarted
+from c2s_engine.write import by_hand
 from c2s_engine.write.typed import TypedWriter
 
 Interpreted = tuple[Structure | None, list[Edit], dict[str, Any], StageResult]
@@ -72,7 +73,9 @@ class EmbeddedMethod:
         self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str
     ) -> Written:
         chosen = map_choice(self.tools.library, self.tools.library.find(map_name))
-        return write(structure, [], TypedWriter(chosen, room=room), emit)
+        writer = TypedWriter(chosen, room=room)
+        structure, program, written, result = write(structure, [], writer, emit)
+        return by_hand.compared(structure, writer), program, written, result
 
     def described(self, before: Structure, after: Structure) -> list[Edit]:
         """No further edits: fields are all that it reads."""

@@ -68,7 +68,7 @@ async def _without_reaction(structure: Structure, tools: Tools, *, map_name: str
     """The same scenes with ego's reaction switched off, where S says a conflict and ego's code is written from S."""
     from c2s_engine.require import without_reaction
 
-    if structure.ego.origin != "rendered" or (changed := without_reaction(structure)) is None:
+    if not structure.ego.recognised or (changed := without_reaction(structure)) is None:
         return []
     chosen = map_choice(tools.library, tools.library.find(map_name))
     writer = TypedWriter(chosen, room=room)

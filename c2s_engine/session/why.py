@@ -13,6 +13,8 @@ _WORDS = {"G": "settings|weather|time of day|map|rain|fog|night", "R": "place|ro
 _KINDS = {"text": "your words", "clause": "the source", "snippet": "the snippet", "chunk": "the documentation",
           "rule": "the rule"}  # fmt: skip
 
+KEPT = "its code was written by hand, and kept: it does not say what these fields say"
+
 
 def explained(question: str, structure: Structure) -> str:
     """The answer; empty where the question is none about why something of S is there."""
@@ -42,7 +44,7 @@ def reason(component: Component) -> str:
 def rule(component: Component) -> str:
     """By what its code came to be."""
     if component.origin == "by_hand":
-        return "its code was written by hand"
+        return KEPT if component.by_hand == "apart" else "its code was written by hand"
     if component.origin == "imported":
         return "its code was imported"
     if component.origin == "generated":

@@ -77,11 +77,19 @@ class Component(Frozen):
     unmet: tuple[Unmet, ...] = ()
     key: str = Field("", description="the digest under which `code` was written; empty: not written yet")
     conflict: str | None = Field(None, description="what would be written, where code by hand stands against it")
+    by_hand: Literal["", "same", "apart"] = Field(
+        "", description="what is known of code by hand: what would be written but for comments; kept against its fields"
+    )
 
     @property
     def kind(self) -> str:
         """G, R, E, O or T."""
         return self.id[0]
+
+    @property
+    def recognised(self) -> bool:
+        """Whether the code does what the spec says, and no more: not known of most code by hand or imported."""
+        return self.origin not in ("by_hand", "imported") or self.by_hand == "same"
 
     def amount(self, path: str) -> Quantity | None:
         """The number that its code was written with for a field: the writer's, where S leaves it open; SI units."""
@@ -161,4 +169,4 @@ class Structure(Frozen):
 
 def unrecognised(structure: Structure) -> tuple[ComponentId, ...]:
     """The actors whose code S does not wholly say, so that what it requires covers them in part only."""
-    return tuple(c.id for c in structure.components if c.kind in "EO" and c.origin in ("by_hand", "imported"))
+    return tuple(c.id for c in structure.components if c.kind in "EO" and not c.recognised)

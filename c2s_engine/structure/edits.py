@@ -132,8 +132,13 @@ def _changed(component: Component, edit: SetDescription | SetSpec | SetField | S
         return component.model_copy(update={"description": edit.description})
     if isinstance(edit, SetCode):
         if edit.code is None:
-            return component.model_copy(update={"code": "", "origin": "rendered", "key": "", "conflict": None})
-        return component.model_copy(update={"code": edit.code, "origin": "by_hand", "conflict": None})
+            return component.model_copy(
+                update={"code": "", "origin": "rendered", "key": "", "conflict": None, "by_hand": ""}
+            )
+        kept = "apart" if component.conflict is not None and edit.code == component.code else ""
+        return component.model_copy(
+            update={"code": edit.code, "origin": "by_hand", "conflict": None, "by_hand": kept}
+        )
     if isinstance(edit, SetSpec):
         if edit.spec.component != component.kind:
             raise EditError(f"a spec of {edit.spec.component} does not fit {component.id}")

@@ -11,6 +11,7 @@ from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import Edit
 from c2s_engine.structure.regenerate import FragmentWriter, digest, interface
 from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.write.merged import alike
 from c2s_engine.write.typed import scope
 
 OWN = ("by_hand", "imported")
@@ -76,7 +77,8 @@ def followed(structure: Structure, before: Structure, cid: ComponentId, whole: b
     """The structure in which a component's code, changed with its fields, is marked: as in step with the `whole` of
     them, else as written upon the fields of before."""
     if whole:
-        return _with_mark(structure.with_component(structure[cid].model_copy(update={"conflict": None})), cid)
+        update = {"conflict": None, "by_hand": ""}
+        return _with_mark(structure.with_component(structure[cid].model_copy(update=update)), cid)
     was = before[cid].key.split(":") if _marked(before[cid]) else _mark(before, cid).split(":")
     key = ":".join([*was[:1], digest(structure[cid].code), *was[2:]])
     return structure.with_component(structure[cid].model_copy(update={"key": key}))
@@ -97,6 +99,17 @@ def with_names(structure: Structure, before: Structure) -> Structure:
     return structure
 
 
+def compared(structure: Structure, writer: FragmentWriter) -> Structure:
+    """The structure that knows which code by hand is what the writer writes for its fields, but for comments."""
+    for component in _own(structure):
+        if component.by_hand != "apart":
+            with contextlib.suppress(ValueError):
+                same = alike(component.code, writer.write(structure, component.id).code)
+                component = component.model_copy(update={"by_hand": "same" if same else ""})
+                structure = structure.with_component(component)
+    return structure
+
+
 def carried(structure: Structure, before: Structure) -> Structure:
     """A text read anew, with the code by hand of before in it: what was read is what it is said to be now."""
     if any(c.code for c in _own(before)):
@@ -106,7 +119,7 @@ def carried(structure: Structure, before: Structure) -> Structure:
             structure = structure.model_copy(update={"objects": (*structure.objects, own)})
             continue
         read = structure[own.id]
-        kept = {name: getattr(own, name) for name in ("code", "origin", "key", "conflict")}
+        kept = {name: getattr(own, name) for name in ("code", "origin", "key", "conflict", "by_hand")}
         if not read.description:
             kept |= {"description": own.description, "spec": own.spec}
         structure = structure.with_component(read.model_copy(update=kept))

@@ -8,6 +8,7 @@ from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.regenerate import FragmentWriter
 
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
+_COMMENT = re.compile(r"""('[^']*'|"[^"]*")|#.*""")
 _TOKEN = re.compile(r"\d+(?:\.\d+)?|\w+|\n[^\S\n]*|[^\S\n]+|.")
 
 
@@ -61,6 +62,17 @@ def without_numbers(base: str, own: str) -> str:
                 if _NUMBER.sub("0", start[i]) == _NUMBER.sub("0", mine[j]):
                     mine[j] = start[i]
     return "\n".join(mine)
+
+
+def alike(code: str, other: str) -> bool:
+    """Whether two pieces of code are the same but for comments, empty lines and how numbers are written."""
+    one, two = (_values(_TOKEN.findall(_plain(text))) for text in (code, other))
+    return one == two
+
+
+def _plain(code: str) -> str:
+    lines = (_COMMENT.sub(lambda m: m[1] or "", line).rstrip() for line in code.split("\n"))
+    return "\n".join(line for line in lines if line)
 
 
 def _parted(code: str) -> tuple[str, str]:

@@ -106,6 +106,8 @@ def _component(
     lines += [Row(f"{cid}:unmet:{u.text}", UNMET, cid, u.text, u.reason) for u in component.unmet]
     if component.conflict is not None:
         lines.append(Row(f"{cid}:conflict", CONFLICT, cid, "written by hand, and its fields have changed since"))
+    if component.by_hand == "apart":
+        lines.append(Row(f"{cid}:apart", LINK, cid, "your code was kept", "it does not say what these fields say"))
     return lines
 
 

@@ -1,0 +1,89 @@
+"""Generated code that was edited by hand follows S, and S follows it."""
+
+import pytest
+import pytest_asyncio
+
+from c2s_engine.api import Engine
+from c2s_engine.session.sessions import Sessions
+from c2s_engine.structure.components import unrecognised
+from c2s_engine.structure.edits import SetCode, SetField
+from c2s_engine.structure.progress import Finished, Say
+
+pytestmark = pytest.mark.asyncio(loop_scope="module")
+TEXT = "Ego drives at 30 km/h in a city. A car ahead of ego at 50 km/h brakes hard."
+
+
+@pytest_asyncio.fixture(loop_scope="module", scope="module")
+async def engine():
+    async with Engine() as started:
+        yield started
+
+
+@pytest_asyncio.fixture(loop_scope="module")
+async def session(engine, tmp_path):
+    sessions = Sessions(tmp_path)
+    opened = sessions.open("one", engine)
+    await done(opened.say(TEXT, run=False))
+    yield opened
+    opened.close()
+    sessions.close()
+
+
+async def done(events):
+    found = [event async for event in events]
+    assert isinstance(found[-1], Finished)
+    assert not [d for stage in found[-1].stages for d in stage.diagnostics if d.severity == "error"]
+    return " ".join(event.text for event in found if isinstance(event, Say))
+
+
+async def by_hand(session, cid, *swaps):
+    code = session.structure[cid].code
+    for swap in swaps:
+        assert swap[0] in code
+        code = code.replace(*swap)
+    return await done(session.apply(SetCode(component=cid, code=code), run=False))
+
+
+REMARK = ("\nbehavior", "\n# my own remark\nbehavior")
+
+
+async def test_a_comment_leaves_all_required_and_everything_editable(session):
+    await by_hand(session, "O1", REMARK)
+    assert session.structure["O1"].origin == "by_hand" and not unrecognised(session.structure)
+    was = session.structure["O1"].code
+    await done(session.say("make the lead car drive at 45 km/h", run=False))
+    now = session.structure["O1"]
+    assert now.spec.speed == pytest.approx(12.5) and now.conflict is None
+    assert "THE_CAR_SPEED = 12.5  # m/s" in now.code and "# my own remark" in now.code and "45 km/h" in now.code
+    assert len(now.code.split("\n")) == len(was.split("\n"))
+
+
+async def test_another_type_keeps_the_name_that_code_by_hand_uses(session):
+    await by_hand(session, "E", REMARK)
+    await by_hand(session, "O1", REMARK)
+    await done(session.say("make the lead car a bus", run=False))
+    bus = session.structure["O1"]
+    assert bus.spec.type == "bus" and "the_car = new Bus at" in bus.code and "# my own remark" in bus.code
+    assert "Uniform(*CARS)" not in bus.code and "the_car" in session.structure["E"].code
+
+
+async def test_a_number_beside_other_changes_is_read_into_s(session):
+    told = await by_hand(session, "E", REMARK, ("EGO_SPEED = 8.33", "EGO_SPEED = 5.0"))
+    ego = session.structure["E"]
+    assert "E, read from the code: speed is 18 km/h." in told and ego.spec.speed == pytest.approx(5.0)
+    assert "EGO_SPEED = 5.0" in ego.code and ego.description in ego.code and "18 km/h" in ego.description
+    told = await by_hand(session, "E", ("EGO_SPEED = 5.0", "EGO_SPEED = 10"))
+    assert "speed is 36 km/h" in told and session.structure["E"].origin == "by_hand"
+
+
+async def test_code_that_was_kept_against_its_fields_says_so(session):
+    await by_hand(session, "O1", ("THE_CAR_SPEED = 13.89", "THE_CAR_SPEED = EGO_SPEED + 5.5"))
+    await done(session.apply(SetField(component="O1", path="speed", value=12.5), run=False))
+    kept = session.structure["O1"]
+    assert kept.conflict and "12.5" in kept.conflict
+    await done(session.apply(SetCode(component="O1", code=kept.code), run=False))
+    assert session.structure["O1"].by_hand == "apart" and session.structure["O1"].conflict is None
+    await done(session.apply(SetField(component="E", path="speed", value=7.0), run=False))
+    assert session.structure["O1"].by_hand == "apart"
+    await done(session.apply(SetCode(component="O1", code=None), run=False))
+    assert session.structure["O1"].by_hand == "" and "THE_CAR_SPEED = 12.5" in session.structure["O1"].code

@@ -17,6 +17,7 @@ from c2s_engine.commands.console import OK, InputError, dump, err, out, sentence
 from c2s_engine.commands.generate import exit_code, with_contradictions
 from c2s_engine.commands.reading import read_program
 from c2s_engine.commands.series import chosen_seeds, series
+from c2s_engine.structure.components import Structure
 from c2s_engine.structure.progress import Finished, Passage, Say
 
 app = typer.Typer(help="Sessions: list, rename, duplicate, delete, export, import.", no_args_is_help=True)
@@ -34,7 +35,8 @@ def edit(
         Path | None, typer.Option("--program", metavar="FILE", help="Import a Scenic program into the session first.")
     ] = None,
     fields: Annotated[
-        list[str] | None, typer.Option("--set", metavar="ID.FIELD=VALUE", help="Such as O1.speed=10 (may be repeated).")
+        list[str] | None,
+        typer.Option("--set", metavar="ID.FIELD=VALUE", help="Such as 'O1.speed=40 km/h' (may be repeated)."),
     ] = None,
     remove: Annotated[list[str] | None, typer.Option("--remove", metavar="ID", help="Remove an object.")] = None,
     code: Annotated[
@@ -66,7 +68,8 @@ def edit(
 ) -> None:
     """Work on a session: say something, set fields of S, write code by hand, undo, redo; show where it stands."""
     with sentences(as_json):
-        edits = edits_of(fields or [], remove or [], code or [])
+        asked = (fields or [], remove or [], code or [])
+        edits_of(*asked)  # said before anything is done
         options = {"method": method, "seed": seed, "run": not no_run, "improve": improve}
         chosen = chosen_seeds(seeds, seed)
         if contradictions and no_run:
@@ -74,7 +77,7 @@ def edit(
         text = read_program(program) if program else None
         if not (new or program):
             known(name)
-        session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume, to), options, model, as_json,
+        session, done = asyncio.run(_work(name, text, say, asked, (undo, redo, resume, to), options, model, as_json,
                                           contradictions))  # fmt: skip
         if output is not None:
             from c2s_engine.saving import save
@@ -158,8 +161,12 @@ def known(name: str, new: str = "--new") -> None:
         raise InputError(f"There is no session {name!r}: {there} {new} makes it.")
 
 
-def edits_of(fields: list[str], remove: list[str], code: list[str]) -> list[Any]:
-    """The edits of S that options name: ID.FIELD=VALUE, IDs to remove, ID=FILE; raises InputError."""
+def edits_of(
+    fields: list[str], remove: list[str], code: list[str], structure: Structure | None = None
+) -> list[Any]:
+    """The edits of S that options name: ID.FIELD=VALUE, IDs to remove, ID=FILE. Values are JSON in SI units; of a
+    `structure` as its fields are typed: 50 km/h, 5-8 m (JSON lists and objects are SI there, too). Raises InputError,
+    EditError."""
     from c2s_engine.structure.edits import RemoveObject, SetCode, SetDescription, SetField
 
     edits: list[Any] = []
@@ -167,11 +174,8 @@ def edits_of(fields: list[str], remove: list[str], code: list[str]) -> list[Any]
         target, equals, text = given.partition("=")
         component, dot, path = target.strip().partition(".")
         if not equals or not dot or not path:
-            raise InputError(f"--set {given}: write it as ID.FIELD=VALUE, such as O1.speed=10")
-        try:
-            value = json.loads(text)
-        except ValueError:
-            value = text
+            raise InputError(f"--set {given}: write it as ID.FIELD=VALUE, such as O1.speed=40")
+        value = _value(text, structure, component, path)
         described = path == "description"
         edits.append(
             SetDescription(component=component, description=str(value))
@@ -187,11 +191,24 @@ def edits_of(fields: list[str], remove: list[str], code: list[str]) -> list[Any]
     return edits
 
 
+def _value(text: str, structure: Structure | None, component: str, path: str) -> Any:
+    """What a typed value means."""
+    from c2s_engine.structure.values import field_at, parse
+
+    spec = structure[component].spec if structure is not None and component in structure else None
+    if spec is not None and text.strip()[:1] not in ("[", "{", '"') and (field := field_at(spec, path)) is not None:
+        return parse(field, "" if text.strip() == "null" else text)
+    try:
+        return json.loads(text)
+    except ValueError:
+        return text
+
+
 async def _work(
     name: str,
     program: str | None,
     say: str | None,
-    edits: list[Any],
+    asked: tuple[list[str], list[str], list[str]],
     steps: tuple[bool, bool, bool, int | None],
     options: dict[str, Any],
     model: str | None,
@@ -206,7 +223,7 @@ async def _work(
     done: Finished | None = None
     engine = Engine(load_settings(model=model))
     async with contextlib.AsyncExitStack() as stack:
-        if program or say or edits or resume or contradictions:  # looking, undoing and redoing need no check server
+        if program or say or any(asked) or resume or contradictions:  # the rest needs no check server
             await stack.enter_async_context(engine)
         session = _sessions().open(name, engine)
         try:
@@ -225,7 +242,8 @@ async def _work(
                 done = await _take(session.apply([taken], **options), quiet)
             if say:
                 done = await _take(session.say(say, **options), quiet)
-            if edits:
+            if any(asked):
+                edits = edits_of(*asked, session.structure)
                 done = await _take(session.apply(edits, **options), quiet)
             if contradictions:
                 done = await with_contradictions(engine, done or state_of(session), options["seed"])

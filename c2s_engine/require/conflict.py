@@ -313,7 +313,7 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
     late, early = time - max(cause, needed), time - cause
     # a threat from the start has no moment before which a reaction would be too early
     margins = [(most - late) / most, *([(early - least) / least] if cause > 0.0 else [])]
-    words = f"at {time:.1f} s, {early:.1f} s after its cause"
+    words = f"at {time:.1f} s, {early:.2f} s after its cause"
     measured = (early, least, max(early, most)) if late < most else (late, 0.0, most)
     return scored(requirement, min(margins), said, words, time, why=f"cause at {cause:.1f} s", measured=measured)
 

@@ -105,11 +105,13 @@ def speed_kept(requirement: Requirement, evidence: Evidence) -> Result:
         width = min(len(off), max(1, round(limits["held"]["value"] / motion.step)))
         windows = np.lib.stride_tricks.sliding_window_view(off, width).max(axis=1)
         best = int(windows.argmin())
-        seen.append((1.0 - float(windows[best]) / room, float(np.median(moving[best : best + width]))))
+        held = moving[best : best + width]
+        seen.append((1.0 - float(windows[best]) / room, float(np.median(held)), float(held.min()), float(held.max())))
     if not seen:
         return unknown(requirement, said, "not reached: it is not there")
-    margin, typical = min(seen)
-    return scored(requirement, margin, said, f"{typical * 3.6:.0f} km/h")
+    margin, typical, slowest, fastest = min(seen)
+    steadily = f"at best from {slowest * 3.6:.0f} to {fastest * 3.6:.0f} km/h for {limits['held']['value']:g} s"
+    return scored(requirement, margin, said, kmh(typical, typical) if margin >= 0 else steadily)
 
 
 def stands_first(requirement: Requirement, evidence: Evidence) -> Result:

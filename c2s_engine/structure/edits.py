@@ -156,12 +156,23 @@ def _changed(component: Component, edit: SetDescription | SetSpec | SetField | S
     try:
         spec = SPEC_ADAPTER.validate_python(data)
     except ValidationError as error:
-        first = error.errors()[0]
-        where = ".".join(str(part) for part in first["loc"])
-        raise EditError(f"{component.id}.{where or edit.path}: {first['msg']}") from None
+        raise EditError(f"{component.id}.{edit.path}: {refused(error, edit.value)}") from None
     dropped = edit.path.split(".")[0]
     assumed = tuple(a for a in component.assumed if a.field.split(".")[0] != dropped)
     return component.model_copy(update={"spec": spec, "assumed": assumed})
+
+
+def refused(error: ValidationError, value: Any) -> str:
+    """Why a value does not do, in plain words."""
+    first = error.errors()[0]
+    kind, context = first["type"], first.get("ctx", {})
+    if kind == "literal_error":
+        return f"{value} is not one of {context['expected']}"
+    if kind in ("float_parsing", "float_type", "int_parsing", "int_type"):
+        return f"{value} is no number"
+    if "error" in context:
+        return str(context["error"])
+    return str(first["msg"]).lower()
 
 
 def _put(data: Any, path: list[str], value: Any, whole: str) -> None:
@@ -173,8 +184,8 @@ def _put(data: Any, path: list[str], value: Any, whole: str) -> None:
             elif isinstance(data, list) and value is None:
                 del data[key]
             else:
-                data[key]  # an unknown field is an error
-                data[key] = value
+                many = isinstance(data[key], list) and isinstance(value, str)  # one word for a list of them
+                data[key] = [value] if many else value
             return
         if data[key] is None:
             data[key] = {}

@@ -15,8 +15,22 @@ def _ordered(value: float | Range) -> float | Range:
     return value
 
 
+FASTEST = 100.0
+"""m/s: 360 km/h, more than anything on a road."""
+
+
+def _possible(value: float | Range) -> float | Range:
+    if low(value) < 0:
+        raise ValueError("a speed is not below 0; who drives backwards has the action reverse")
+    if high(value) > FASTEST:
+        raise ValueError(f"a speed is at most {FASTEST * 3.6:g} km/h")
+    return value
+
+
 Quantity = Annotated[float | Range, AfterValidator(_ordered)]
 """A number, or [low, high] to draw uniformly from. SI units: m, s, m/s, m/s2."""
+Velocity = Annotated[Quantity, AfterValidator(_possible)]
+"""A speed that there is on roads, m/s."""
 
 
 def low(value: float | Range) -> float:

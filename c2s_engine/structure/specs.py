@@ -10,9 +10,9 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
 
 from c2s_engine.structure import vocabulary as v
-from c2s_engine.structure.quantity import Quantity
+from c2s_engine.structure.quantity import Quantity, Velocity
 
-Speed = Annotated[Quantity, Field(description="m/s, or [low, high]")]
+Speed = Annotated[Velocity, Field(description="m/s, or [low, high]")]
 Metres = Annotated[Quantity, Field(description="m, or [low, high]")]
 Seconds = Annotated[Quantity, Field(description="s, or [low, high]")]
 Reference = Annotated[str, Field(pattern=r"^(ego|O[1-9][0-9]?)$", description="'ego' or an object's id: O1, O2, ...")]

@@ -11,9 +11,9 @@ from textual.widgets import Input, Static
 
 from c2s_engine.structure.edits import Edit, EditError, SetDescription, SetField
 from c2s_engine.structure.specs import AnySpec
+from c2s_engine.structure.values import Field, head_name, parse
 from c2s_tui.in_order import OrderedLine
 from c2s_tui.sheet.rows import SENTENCE, Row
-from c2s_tui.sheet.values import Field, head_name, parse
 
 SHOWN_CHOICES = 14
 
@@ -67,7 +67,7 @@ class FieldEditor(Vertical):
         return self.field.choices if self.field else ()
 
     def _item_choices(self) -> tuple[str, ...]:
-        from c2s_tui.sheet.values import _head_choices, _model_in
+        from c2s_engine.structure.values import _head_choices, _model_in
 
         assert self.field
         model = _model_in(type(self.spec).model_fields[self.field.path].annotation)
@@ -108,7 +108,7 @@ class FieldEditor(Vertical):
         return SetField(component=self.row.cid, path=field.path, value=value)
 
     def _first_names(self) -> list[str]:
-        from c2s_tui.sheet.values import _model_in
+        from c2s_engine.structure.values import _model_in
 
         assert self.field
         model = _model_in(type(self.spec).model_fields[self.field.path].annotation)

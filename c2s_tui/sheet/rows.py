@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 from c2s_engine.structure.components import Assumption, Component
 from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.values import Field, fields, show
 from c2s_tui.desk import Desk
 from c2s_tui.look.kinds import kind_name
-from c2s_tui.sheet.values import Field, fields, show
 
 HEAD, SENTENCE, FIELD, UNMET, CONFLICT, LINK, ADD = "head", "sentence", "field", "unmet", "conflict", "link", "add"
 HIT = "hit"

@@ -70,10 +70,22 @@ def test_the_program_is_saved_and_shown(c2s, tmp_path):
     assert "car" in c2s("edit", "one")
 
 
+def test_values_are_read_as_in_the_app(c2s):
+    c2s("edit", "one", "--new", "--say", "car")
+
+    def speed(*given):
+        return next(c for c in state(c2s, *given)["structure"] if c["id"] == "E")["spec"]["speed"]
+
+    assert speed("--set", "E.speed=36") == pytest.approx(10) == speed("--set", "E.speed=10 m/s")
+    assert speed("--set", "E.speed=18-36 km/h") == [5, 10] == speed("--set", "E.speed=[5, 10]")
+    assert speed("--set", "E.speed=") is None
+
+
 @pytest.mark.parametrize(
     ("arguments", "complaint"),
     [
         (["--set", "O1"], "write it as ID.FIELD=VALUE"),
+        (["--say", "car", "--set", "E.speed=9 bananas"], "speed has the unit km/h or kmh or kph or m/s or mph"),
         (["--code", "O1"], "write it as ID=FILE"),
         (["--undo"], "nothing to undo"),
         (["--resume"], "no turn was interrupted"),

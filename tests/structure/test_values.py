@@ -12,6 +12,7 @@ from c2s_engine.structure.edits import AddObject, EditError, SetField, apply
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.regenerate import regenerate
 from c2s_engine.structure.specs import SPEC_OF, ObjectSpec
+from c2s_engine.structure.values import fields, parse, show
 from c2s_tui import prefs
 from c2s_tui.clipboard import copy, osc52
 from c2s_tui.code.fragments import changed_lines, moved_findings, moved_spans
@@ -20,7 +21,6 @@ from c2s_tui.commands import bindings, commands, function_keys, split
 from c2s_tui.desk import Desk
 from c2s_tui.look.kinds import mentions
 from c2s_tui.sheet.rows import rows
-from c2s_tui.sheet.values import fields, parse, show
 
 PROGRAM = assemble(regenerate(cut_in(), (), Writer())[0])
 

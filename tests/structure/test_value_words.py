@@ -6,8 +6,8 @@ from c2s_engine.paths import shipped
 from c2s_engine.session.glossary import meaning, page, terms
 from c2s_engine.structure.happening import ACTS, WORDS
 from c2s_engine.structure.specs import Placement, Trigger
+from c2s_engine.structure.values import summary
 from c2s_engine.structure.vocabulary import Action
-from c2s_tui.sheet.values import summary
 
 
 @pytest.mark.parametrize(

@@ -7,8 +7,8 @@ from typing import Any, Literal, Union, get_args, get_origin
 
 from pydantic import BaseModel
 
+from c2s_engine.structure import value_words as words
 from c2s_engine.structure.edits import EditError
-from c2s_tui.sheet import words
 
 UNIT = re.compile(r"(?:^|[,:] )(m/s2|m/s|m|s)(?=$|[,;])")
 KMH = 3.6
@@ -61,9 +61,29 @@ def _field(spec: BaseModel, name: str, info: Any, path: str, depth: int) -> list
     if model is not None and value is None:  # an optional part that is absent: one row, its own fields appear once set
         return [Field(path, None, False, about=about, depth=depth, choices=_head_choices(model))]
     choices = _choices(info.annotation)
-    unit = match[1] if (match := UNIT.search(about)) else ""
+    unit = _unit(about)
     many = isinstance(value, tuple) and not unit and get_origin(info.annotation) is tuple
     return [Field(path, plain, is_set, choices=choices, many=many, unit=unit, about=about, depth=depth)]
+
+
+def field_at(spec: BaseModel, path: str) -> Field | None:
+    """The field at a path, also in a part that is absent; None where there is none."""
+    if (found := next((f for f in fields(spec) if f.path == path), None)) is not None:
+        return found
+    model: type[BaseModel] | None = type(spec)
+    info: Any = None
+    for name in [part for part in path.split(".") if not part.isdigit()]:
+        info = model.model_fields.get(name) if model is not None else None
+        if info is None:
+            return None
+        model = _model_in(info.annotation)
+    about = (info.description or _described(info)) if info else ""
+    return Field(path, None, False, choices=_choices(info.annotation), unit=_unit(about), about=about) if info else None
+
+
+def _unit(about: str) -> str:
+    """The unit that a field's description names; "": none."""
+    return match[1] if (match := UNIT.search(about)) else ""
 
 
 def _described(info: Any) -> str:

@@ -1,17 +1,29 @@
-"""A program on disk, with its map and the driving library beside it."""
+"""A program on disk, with its map, the driving library and its S beside it."""
 
+import json
 import re
 import shutil
+from difflib import SequenceMatcher
 from pathlib import Path
 
+from pydantic import ValidationError
+
 from c2s_engine import driving
-from c2s_engine.structure.program import Program
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import Edit, Replace, SetProgram
+from c2s_engine.structure.program import Program, assemble
+
+FORMAT = "c2s structure 1"
+ALIKE = 0.5
+"""The share of lines that a program has in common with the one of an S that lies beside it, if that S is its own."""
 
 
-def save(program: Program, folder: str | None, target: Path, standalone: bool = False) -> list[Path]:
+def save(
+    program: Program, folder: str | None, target: Path, standalone: bool = False, structure: Structure | None = None
+) -> list[Path]:
     """Write a program, and its map and library beside it (unless they already lie there); the files written.
 
-    `standalone`: with what it uses of the driving library in it.
+    `standalone`: with what it uses of the driving library in it. `structure`: its S, written as NAME.s.json.
 
     Raises OSError; the program's text is written beside and renamed, so that a full disk loses nothing.
     """
@@ -34,4 +46,30 @@ def save(program: Program, folder: str | None, target: Path, standalone: bool = 
         ):
             shutil.copyfile(source, copy)
             written.append(copy)
+    if structure is not None and not standalone:
+        side = beside(target)
+        kept = json.dumps({"format": FORMAT, "structure": structure.model_dump(mode="json")}, ensure_ascii=False)
+        side.write_text(kept + "\n", encoding="utf-8")
+        written.append(side)
     return written
+
+
+def beside(file: Path) -> Path:
+    """Where the S of a program is kept."""
+    return file.with_suffix(".s.json")
+
+
+def taken(file: Path, text: str) -> list[Edit]:
+    """The edits that take a program from a file with the S that was saved with it, the text's changes since as code by
+    hand; none where there is no such S."""
+    try:
+        data = json.loads(beside(file).read_text(encoding="utf-8"))
+        structure = Structure.model_validate(data["structure"]) if data["format"] == FORMAT else None
+    except (OSError, ValueError, KeyError, TypeError, ValidationError):
+        return []
+    if structure is None:
+        return []
+    was = assemble(structure).text
+    if SequenceMatcher(None, was.splitlines(), text.splitlines(), autojunk=False).ratio() < ALIKE:
+        return []
+    return [Replace(structure=structure), *([SetProgram(text=text)] if text != was else [])]

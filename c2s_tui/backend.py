@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from c2s_engine.check.protocol import CheckReport
     from c2s_engine.session.session import Session
     from c2s_engine.session.sessions import SessionInfo, Sessions
+    from c2s_engine.structure.components import Structure
     from c2s_engine.structure.program import Program
     from c2s_tui.facade import EngineFacade
 
@@ -143,11 +144,11 @@ class Backend:
         folder = await self.thread.do(lambda: self.folder(program))
         return await self.ask(lambda engine: engine.check(program, folder=folder, **options))
 
-    def save(self, program: "Program", folder: str | None, target: Path) -> list[Path]:
-        """Write a program, its map beside it; raises OSError."""
+    def save(self, program: "Program", folder: str | None, target: Path, structure: "Structure") -> list[Path]:
+        """Write a program, its map and its S beside it; raises OSError."""
         from c2s_engine.saving import save
 
-        return save(program, folder, target)
+        return save(program, folder, target, structure=structure)
 
     async def close(self) -> None:
         """Close the session, the engine and the thread. A process that is slow to end is not waited for: its pipe is

@@ -57,7 +57,7 @@ class Files(Part):
         """Write the text that the code pane shows, edits that are not applied included."""
         program = self.desk.program.model_copy(update={"text": self.bench.code.text})
         try:
-            written = await asyncio.to_thread(self.backend.save, program, self.desk.folder, target)
+            written = await asyncio.to_thread(self.backend.save, program, self.desk.folder, target, self.desk.structure)
         except OSError as error:
             await self.chat.note(f"{target} could not be written: {error.strerror or error}", "error")
             return
@@ -112,28 +112,33 @@ class Files(Part):
 
     @background("choices")
     async def take_program(self, text: str, path: Path) -> None:
-        """Decompose a program and make it a session's S: this one's where it is empty, else a new one's."""
+        """Make a program a session's, this one's where it is empty, else a new one's: with the S that was saved with
+        it, else with what is recognised in it."""
+        from c2s_engine.saving import taken
         from c2s_engine.structure.edits import Replace
         from c2s_engine.structure.program import assemble
 
-        try:
-            structure = await self.backend.ask(lambda engine: engine.import_program(text))
-        except (ValueError, OSError, RuntimeError) as error:
-            await self.chat.note(f"{path.name} could not be imported: {sentence(error)}", "error")
-            return
+        edits, converted = await asyncio.to_thread(taken, path, text), False
+        if not edits:
+            try:
+                structure = await self.backend.ask(lambda engine: engine.import_program(text))
+            except (ValueError, OSError, RuntimeError) as error:
+                await self.chat.note(f"{path.name} could not be imported: {sentence(error)}", "error")
+                return
+            edits, converted = [Replace(structure=structure)], assemble(structure).text != text
         name, left = path.stem, self.session.name
         if self.desk.program.text or self.bench.code.edited:
-            taken = {s.name for s in await self.backend.all_sessions()}
+            others = {s.name for s in await self.backend.all_sessions()}
             names = chain([name], (f"{name}-{i}" for i in count(2)))
-            await self.bench.sessions.enter(next(n for n in names if n not in taken))
+            await self.bench.sessions.enter(next(n for n in names if n not in others))
             await self.chat.note(f"{path.name} was opened in a session of its own; /open {left} goes back.")
         self.file, self.file_seen = path, _stamp(path)
         self.saved_text = text
-        if assemble(structure).text != text:
+        if converted:
             said = f"{path.name} is written in Scenic 2; you see it converted to Scenic 3."
             await self.chat.note(said, "warning")
         await self.chat.note(f"Opened {path.name}.")
-        await self.bench.turns.make_edits((Replace(structure=structure),))
+        await self.bench.turns.make_edits(tuple(edits))
 
     async def do_editor(self, _: str) -> None:
         """The program in $EDITOR; what comes back is a hand edit."""

@@ -74,7 +74,7 @@ def edit(
         chosen = chosen_seeds(seeds, seed)
         if contradictions and no_run:
             raise InputError("--contradictions needs runs to see what holds: leave --no-run out.")
-        text = read_program(program) if program else None
+        text = (program, read_program(program)) if program else None
         if not (new or program):
             known(name)
         session, done = asyncio.run(_work(name, text, say, asked, (undo, redo, resume, to), options, model, as_json,
@@ -82,7 +82,9 @@ def edit(
         if output is not None:
             from c2s_engine.saving import save
 
-            written = save(session.program, session.details.get("folder"), output, standalone)
+            written = save(
+                session.program, session.details.get("folder"), output, standalone, session.structure
+            )
             if not as_json:
                 err.print(Text(f"saved {', '.join(map(str, written))}"))
         if not as_json:
@@ -206,7 +208,7 @@ def _value(text: str, structure: Structure | None, component: str, path: str) ->
 
 async def _work(
     name: str,
-    program: str | None,
+    program: tuple[Path, str] | None,
     say: str | None,
     asked: tuple[list[str], list[str], list[str]],
     steps: tuple[bool, bool, bool, int | None],
@@ -217,6 +219,7 @@ async def _work(
 ) -> tuple[Any, Finished | None]:
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
+    from c2s_engine.saving import taken
     from c2s_engine.structure.edits import Replace
 
     undo, redo, resume, to = steps
@@ -238,8 +241,8 @@ async def _work(
             if to is not None:
                 done = await _take(session.back_to(to - 1), quiet)
             if program:
-                taken = Replace(structure=await engine.import_program(program))
-                done = await _take(session.apply([taken], **options), quiet)
+                given = taken(*program) or [Replace(structure=await engine.import_program(program[1]))]
+                done = await _take(session.apply(given, **options), quiet)
             if say:
                 done = await _take(session.say(say, **options), quiet)
             if any(asked):

@@ -41,7 +41,9 @@ def scenario(done: Finished, output: str | None) -> dict[str, Any]:
     if output and done.program.text:
         from c2s_engine.saving import save
 
-        saved = [str(p) for p in save(done.program, done.details.get("folder"), Path(output))]
+        saved = [str(p) for p in save(
+            done.program, done.details.get("folder"), Path(output), structure=done.structure
+        )]  # fmt: skip
     return {
         "ok": done.ok,
         "program": done.program.text,

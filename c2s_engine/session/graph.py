@@ -20,7 +20,7 @@ from c2s_engine.session.steps import Tools
 from c2s_engine.solve.defaults import with_usual_reaction
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
-from c2s_engine.structure.edits import Edit
+from c2s_engine.structure.edits import Edit, Replace
 from c2s_engine.structure.progress import StructureChanged
 from c2s_engine.structure.sentences import retold
 from c2s_engine.write import by_hand
@@ -97,10 +97,11 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         emit = get_stream_writer()
         before = by_hand.with_marks(structure_of(state))
         edits = EDITS.validate_python(state.get("edits") or [])
-        structure = before
+        structure = read = before
         for edit in edits:
             structure = by_hand.apply(structure, edit)
-        structure = by_hand.with_names(structure, before)
+            read = structure if isinstance(edit, Replace) else read  # what edits by hand are read upon
+        structure = by_hand.with_names(structure, read)
         method = method_of(state)
         for edit in method.described(before, structure) if edits else []:
             structure = steps.apply(structure, edit)
@@ -116,8 +117,8 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         if found.writer is None:
             structure = unwritten.left(before, structure, emit)
         elif edits:
-            structure = await read_back(before, structure, found.writer, tools.check, emit)
-            structure, changed = await in_place.followed(before, structure, found.writer, tools.check, emit)
+            structure = await read_back(read, structure, found.writer, tools.check, emit)
+            structure, changed = await in_place.followed(read, structure, found.writer, tools.check, emit)
         structure = retold(before, structure)
         emit(StructureChanged(structure=structure))
         update: State = {

@@ -1,0 +1,75 @@
+"""A saved program is opened again with its S, what was changed in the file since as code by hand."""
+
+import json
+
+import pytest
+import pytest_asyncio
+
+from c2s_engine.api import Engine
+from c2s_engine.saving import beside, save, taken
+from c2s_engine.session.sessions import Sessions
+from c2s_engine.structure.edits import Replace, SetProgram
+from c2s_engine.structure.progress import Finished
+
+pytestmark = pytest.mark.asyncio(loop_scope="module")
+TEXT = "Ego drives at 30 km/h in a city. A car ahead of ego at 50 km/h brakes hard. The light rain does not matter."
+
+
+@pytest_asyncio.fixture(loop_scope="module", scope="module")
+async def made():
+    async with Engine() as engine:
+        yield engine, await ended(engine.generate(TEXT, run=False))
+
+
+async def ended(events):
+    found = [event async for event in events]
+    assert isinstance(found[-1], Finished)
+    return found[-1]
+
+
+async def reopened(engine, file, tmp_path):
+    sessions = Sessions(tmp_path / "sessions")
+    opened = sessions.open("again", engine)
+    await ended(opened.apply(taken(file, file.read_text()), run=False))
+    opened.close()
+    sessions.close()
+    return opened
+
+
+async def test_it_comes_back_whole(made, tmp_path):
+    engine, done = made
+    file = tmp_path / "a.scenic"
+    assert beside(file) in save(done.program, None, file, structure=done.structure)
+    assert taken(file, file.read_text()) == [Replace(structure=done.structure)]
+    session = await reopened(engine, file, tmp_path)
+    assert session.structure == done.structure and session.program.text == file.read_text()
+
+
+async def test_what_was_changed_in_the_file_is_code_by_hand(made, tmp_path):
+    engine, done = made
+    file = tmp_path / "a.scenic"
+    save(done.program, None, file, structure=done.structure)
+    text = file.read_text().replace("EGO_SPEED = 8.33", "EGO_SPEED = 5").replace("\nthe_car = ", "\n# mine\nthe_car = ")
+    file.write_text(text)
+    session = await reopened(engine, file, tmp_path)
+    assert session.structure["E"].spec.speed == pytest.approx(5)
+    lead = session.structure["O1"]
+    assert lead.origin == "by_hand" and "# mine" in lead.code and lead.spec == done.structure["O1"].spec
+
+
+async def test_an_s_of_another_program_or_none_is_left_alone(made, tmp_path):
+    _, done = made
+    file = tmp_path / "a.scenic"
+    save(done.program, None, file, structure=done.structure)
+    assert taken(file, "model scenic.simulators.carla.model\nego = new Car\n") == []
+    for broken in ("", "{}", json.dumps({"format": "c2s structure 1", "structure": {"ego": 3}}), "[]"):
+        beside(file).write_text(broken)
+        assert taken(file, done.program.text) == []
+    assert taken(tmp_path / "b.scenic", done.program.text) == []
+
+
+async def test_a_small_change_leaves_the_s(made, tmp_path):
+    _, done = made
+    file = tmp_path / "a.scenic"
+    save(done.program, None, file, structure=done.structure)
+    assert taken(file, done.program.text + "# end\n")[1:] == [SetProgram(text=done.program.text + "# end\n")]

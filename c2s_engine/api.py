@@ -11,7 +11,7 @@ from c2s_engine.config import Settings
 from c2s_engine.maps.library import SHIPPED, MapFile, MapLibrary, MapNotFound
 from c2s_engine.session.places import DEFAULT_MAP
 from c2s_engine.session.steps import Tools
-from c2s_engine.structure.components import ComponentId, Structure
+from c2s_engine.structure.components import ComponentId, Structure, Unmet
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.edits import Edit, apply
 from c2s_engine.structure.facts import RunFacts, Trajectories
@@ -298,6 +298,13 @@ class Engine:
         async with aclosing(contradictions(structure, self.tools, map_name=map, room=room, seed=seed)) as found:
             async for offer in found:
                 yield offer
+
+    async def without_effect(self, text: str) -> tuple[Unmet, ...]:
+        """The phrases of a text that make no difference to the S which the embedded interpreter reads (a second or
+        more). Raises Unreadable."""
+        from c2s_engine.session.no_effect import without_effect
+
+        return await without_effect(text, self.tools)
 
     def gaps(self, ways: Trajectories) -> dict[str, list[float]]:
         """By each other's name, m between its box and ego's (bumper to bumper) at each step of a run."""

@@ -7,7 +7,7 @@ from typing import Any, Protocol
 from c2s_engine.config import Settings
 from c2s_engine.maps.library import MapFile
 from c2s_engine.session.facade import Checking, Turns
-from c2s_engine.structure.components import ComponentId, Structure
+from c2s_engine.structure.components import ComponentId, Structure, Unmet
 from c2s_engine.structure.edits import Edit
 from c2s_engine.structure.facts import Trajectories
 from c2s_engine.structure.measures import SeedResult
@@ -51,6 +51,8 @@ class EngineFacade(Turns, Checking, Protocol):
     def contradictions(
         self, structure: Structure, *, map: str, room: float = 1.0  # noqa: A002
     ) -> AsyncGenerator[Offer, None]: ...
+
+    async def without_effect(self, text: str) -> Sequence[Unmet]: ...
 
     async def import_program(self, text: str, /) -> Structure: ...
 

@@ -52,6 +52,7 @@ class Turns(Part):
         """Run a turn of the session and show its events; cancelling leaves S as it was."""
         async with self.lock:
             self.working, self.since = label, monotonic()
+            text = self.desk.structure.text
             self.desk = desks.begun(self.desk)
             if self.waiting:
                 self.desk = desks.expected(self.desk, self._optimistic(self.waiting))
@@ -79,6 +80,8 @@ class Turns(Part):
                 await self.summarise(label)
                 self.bench.running.find_gaps()
                 self.bench.search.offer_snippets(self.desk.structure)
+                if self.desk.structure.text not in ("", text) and self.bench.choices.choice.method == "embedded":
+                    self.bench.search.name_what_has_no_effect(self.desk.structure.text)
         then, self.then = self.then, ""
         if finished and then and self.bench.picture.available and not self.bench.picture.has_class("-on"):
             await self.bench.run_command(then)

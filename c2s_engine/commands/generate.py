@@ -107,6 +107,11 @@ async def _generate(
                 elif isinstance(event, Say) and not quiet:
                     err.print(Text(event.text, style={"warning": "yellow", "error": "red"}.get(event.severity, "")))
                 elif isinstance(event, Finished):
+                    if method == "embedded" and event.structure.text:
+                        if status is not None:
+                            status.update("reading the text again without each phrase")
+                        found = await engine.without_effect(event.structure.text)
+                        event = event.model_copy(update={"details": {**event.details, "without_effect": found}})
                     if not contradictions:
                         return event
                     if status is not None:
@@ -151,6 +156,7 @@ def as_dict(done: Finished) -> dict[str, Any]:
             for c in collisions(f, done.requirements)
         ],
         "measures": [m.model_dump(mode="json") for m in done.measures],
+        "without_effect": [u.model_dump(mode="json") for u in done.details.get("without_effect", ())],
         "contradictions": [o.model_dump(mode="json") for o in done.details.get("contradictions", ())],
         "requirements": show.required_as_dicts(done.requirements, done.results),
         "facts": [f.model_dump(mode="json") for f in done.facts],
@@ -177,4 +183,5 @@ def _report(done: Finished, to: Console) -> None:
     show.diagnostics(done.diagnostics, to)
     show.cost(done.details, to)
     show.outcome(done.structure, done.facts, done.requirements, done.results, done.measures, to)
+    show.without_effect(done.details.get("without_effect", ()), to)
     show.contradictions(done.details, to)

@@ -10,7 +10,7 @@ from rich.text import Text
 from c2s_engine.commands.console import out
 from c2s_engine.session.seeds import verdict
 from c2s_engine.session.why import KEPT
-from c2s_engine.structure.components import Structure, unrecognised
+from c2s_engine.structure.components import Structure, Unmet, unrecognised
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.facts import EventFact, RunFacts
 from c2s_engine.structure.happening import ended, told
@@ -72,6 +72,13 @@ def outcome(
     if facts:
         _runs(facts, requirements, measures, bool(s.text), to)
         _required(requirements, results, unrecognised(s), to)
+
+
+def without_effect(found: Sequence[Unmet], to: Console = out) -> None:
+    """Words of the text without which S would be the same."""
+    if found:
+        words = "; ".join(f"“{u.text}”" for u in found)
+        to.print(Text(f"S would be the same without: {words}.", style="yellow"))
 
 
 def contradictions(details: Mapping[str, Any], to: Console = out) -> None:

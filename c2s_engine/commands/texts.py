@@ -1,5 +1,6 @@
 """`c2s interpret` and `c2s import`: texts and programs to S."""
 
+import asyncio
 from contextlib import nullcontext
 from pathlib import Path
 from typing import Annotated, Any
@@ -24,15 +25,18 @@ def interpret(
 ) -> None:
     """Interpret a description without a model: what S it gives, and why."""
     with sentences(as_json):
+        from c2s_engine.api import Engine
         from c2s_engine.interpret import EmbeddedInterpreter
 
         description = read_text(text, file)
         reading = f"reading {len(description):,} characters"
         with err.status(reading) if err.is_terminal and not as_json else nullcontext():
             found = EmbeddedInterpreter().interpret(description)
+            idle = asyncio.run(Engine().without_effect(description))
     if as_json:
         told = [c.model_dump(mode="json") for c in account(found.structure)]
-        dump({"structure": found.structure.model_dump(mode="json"), "account": told, "stages": found.stages})
+        dump({"structure": found.structure.model_dump(mode="json"), "account": told, "stages": found.stages,
+              "without_effect": [u.model_dump(mode="json") for u in idle]})  # fmt: skip
         raise typer.Exit(OK)
     if explain:
         for stage, results in found.stages.items():
@@ -42,6 +46,7 @@ def interpret(
                 table.add_row("  ", Text(", ".join(f"{k}: {v}" for k, v in entry.items())))
             out.print(table)
     show.structure(found.structure)
+    show.without_effect(idle)
     for c in found.structure.components:
         out.print(Text(f"{c.id} {c.spec.model_dump_json(exclude_defaults=True)}", style="dim"))
 

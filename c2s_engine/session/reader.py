@@ -99,6 +99,11 @@ async def read(text: str, tools: Any) -> Structure:
     return await _asked(tools, "interpret", text)
 
 
+async def phrases(text: str, tools: Any) -> list[tuple[tuple[int, int], str]]:
+    """The phrases of a text by their spans, longer ones first, each with what is left of the text without it."""
+    return await _asked(tools, "phrases", text)
+
+
 async def route(text: str, structure: Structure | None, tools: Any, last: tuple[str, Structure] | None = None) -> Asked:
     """What a turn asks for, given the S at hand, and what was typed last upon which S."""
     return await _asked(tools, "route", text, structure, last)
@@ -116,7 +121,10 @@ def _frame(value: Any) -> bytes:
 
 def _answer(name: str, arguments: tuple[Any, ...]) -> Any:
     from c2s_engine.interpret import EmbeddedInterpreter, InterpreterFault, InterpretError, turn
+    from c2s_engine.interpret.phrases import without_each
 
+    if name == "phrases":
+        return without_each(*arguments)
     if name == "interpret":
         try:
             return EmbeddedInterpreter().interpret(*arguments).structure

@@ -160,6 +160,7 @@ class ScriptedEngine:
     calls: list[tuple[str, Any]] = field(default_factory=list)
     seen: bool = True
     collides: bool = False
+    idle: tuple[Unmet, ...] = ()
     library: Any = field(default_factory=lambda: SimpleNamespace(named_in=lambda program: None))
     settings: Any = field(default_factory=lambda: SimpleNamespace(model=None))
     model_list: list[dict[str, Any]] | Exception = field(default_factory=list)
@@ -283,6 +284,9 @@ class ScriptedEngine:
         yield Offer(component="E", field="speed", said="50 km/h", value="70 km/h", amount=19.4)
         await self._wait("contradictions")
         yield Offer(component="O1", field="placement.gap", said="5 m", value="20 m", amount=20.0)
+
+    async def without_effect(self, text: str) -> tuple[Unmet, ...]:
+        return self.idle
 
     def reach(self, structure: Structure, edit: Any) -> list[str]:
         return reach(structure, edit, Writer())

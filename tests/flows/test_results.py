@@ -4,6 +4,7 @@ import asyncio
 
 from scripted_engine import CUT_IN
 
+from c2s_engine.structure.components import Unmet
 from c2s_tui.results.plot import Curve, plot
 
 
@@ -64,6 +65,14 @@ async def test_no_number_of_seeds_is_one_sentence(stage):
         assert stage.said[-1].startswith("many is not a number of seeds: give 20")
         await stage.say(pilot, "/seeds 0")
         assert stage.said[-1] == "A series has 1 to 500 seeds, not 0."
+
+
+async def test_words_that_make_no_difference_are_named_once(stage):
+    stage.engine.idle = (Unmet(text="red", reason="S would be the same without it", span=(2, 5)),)
+    async with stage.described() as pilot:
+        await stage.until(pilot, lambda: "S would be the same without: “red”." in stage.said)
+        await stage.say(pilot, "/seeds 1")
+        assert sum("would be the same" in line for line in stage.said) == 1
 
 
 async def test_what_contradicts_is_said_where_not_all_is_shown(stage):

@@ -1,0 +1,39 @@
+"""The phrases of a text, and the text without each: read anew, it says whether the phrase makes any difference."""
+
+import re
+from typing import Any
+
+from c2s_engine.interpret.reading.syntax import parser
+
+Span = tuple[int, int]
+MODIFIES = frozenset(
+    ("prep", "advmod", "npadvmod", "amod", "nummod", "acl", "advcl", "relcl", "appos", "conj", "agent")
+)
+"""Grammatical relations of what a sentence can do without."""
+
+
+def without_each(text: str) -> list[tuple[Span, str]]:
+    """Spans of the text, longer ones first, each with the text that is left without it."""
+    doc = parser()(text)
+    found = {(s.start_char, s.end_char) for s in doc.sents}
+    found |= {_span(token) for token in doc if token.dep_ in MODIFIES and _says_something(token)}
+    longest = sorted(found, key=lambda span: (span[0] - span[1], span))
+    return [(span, rest) for span in longest if (rest := _without(text, span)).strip(" .,;")]
+
+
+def _span(token: Any) -> Span:
+    words = list(token.subtree)
+    first = words[0].idx
+    if token.dep_ == "conj":  # with the "and" before it
+        first = min([first, *(c.idx for c in token.head.children if c.dep_ == "cc" and c.i < token.i)])
+    return first, words[-1].idx + len(words[-1].text)
+
+
+def _says_something(token: Any) -> bool:
+    words = [w for w in token.subtree if w.is_alpha or w.like_num]
+    return any((not w.is_stop or w.like_num) and w.lower_ != "ego" for w in words)
+
+
+def _without(text: str, span: Span) -> str:
+    before, after = text[: span[0]].rstrip(" ,"), text[span[1] :].lstrip()
+    return re.sub(r" (?=[.,;:!?])", "", f"{before} {after}").strip()

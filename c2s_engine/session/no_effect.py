@@ -1,0 +1,42 @@
+"""What of a text makes no difference to S, though no stage named it as lost: the text is read without each phrase."""
+
+import asyncio
+from typing import Any
+
+from c2s_engine.session.reader import Unreadable, phrases, read
+from c2s_engine.session.steps import Tools
+from c2s_engine.structure.components import Structure, Unmet
+
+REASON = "S would be the same without it"
+MOST = 80
+"""Readings of one text (some 60 ms each)."""
+
+
+async def without_effect(text: str, tools: Tools) -> tuple[Unmet, ...]:
+    """The phrases without which the embedded interpreter reads the same S, in the order of the text; what is within
+    such a phrase, or was named as lost, is not named again. Raises Unreadable where the text cannot be read."""
+    structure = await read(text, tools)
+    meant, known = _meant(structure), [u.span for u in _lost(structure) if u.span]
+    found: list[tuple[int, int]] = []
+    for (start, end), rest in (await phrases(text, tools))[:MOST]:
+        if any(a <= start and end <= b for a, b in [*found, *known]):
+            continue
+        try:  # a turn that is given up lets the reader finish: it would have to be started anew
+            same = _meant(await asyncio.shield(read(rest, tools))) == meant
+        except Unreadable:
+            continue
+        if same:
+            found.append((start, end))
+    return tuple(Unmet(text=text[a:b].strip(" ,;.\n"), reason=REASON, span=(a, b)) for a, b in sorted(found))
+
+
+def _lost(structure: Structure) -> list[Unmet]:
+    return [*structure.not_understood, *structure.background, *(u for c in structure.components for u in c.unmet)]
+
+
+def _meant(structure: Structure) -> list[Any]:
+    """What S says, whatever its objects are called, and what it takes for granted."""
+    return [
+        (c.id, c.spec.model_dump(mode="json", exclude={"name"}), [(a.field, a.value) for a in c.assumed])
+        for c in structure.components
+    ]

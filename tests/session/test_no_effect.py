@@ -1,0 +1,40 @@
+"""Words of a text that make no difference to S are named."""
+
+import pytest
+
+from c2s_engine.api import Engine
+from c2s_engine.interpret.phrases import without_each
+from c2s_engine.session.reader import Unreadable
+
+CASES = [
+    ("Ego drives on a motorway at 100 km/h. A car in the right lane cuts in 15 m ahead of ego.", []),
+    ("Ego drives at 50 km/h. A red car ahead of ego brakes hard without indicating.", ["red", "without indicating"]),
+    ("Ego follows a van at 60 km/h at night. My cousin owns a boat.", []),  # named as background
+    ("A lorry behind ego stops in time. Ego stands at a red light.", ["in time"]),
+]
+
+
+@pytest.fixture(scope="module")
+def engine():
+    return Engine()
+
+
+@pytest.mark.parametrize(("text", "idle"), CASES, ids=[t[:40] for t, _ in CASES])
+async def test_what_makes_no_difference_is_named(engine, text, idle):
+    found = await engine.without_effect(text)
+    assert [u.text for u in found] == idle
+    assert all(text[u.span[0] : u.span[1]].strip(" ,;.") == u.text for u in found)
+
+
+async def test_a_text_that_cannot_be_read_says_so(engine):
+    with pytest.raises(Unreadable, match="Nothing in the text"):
+        await engine.without_effect("Two plus two is four.")
+
+
+def test_phrases_are_taken_out_with_what_joins_them():
+    text = "A car brakes hard and stops behind a parked bus."
+    left = {text[a:b]: rest for (a, b), rest in without_each(text)}
+    assert left["and stops behind a parked bus"] == "A car brakes hard."
+    assert left["behind a parked bus"] == "A car brakes hard and stops."
+    assert left["hard"] == "A car brakes and stops behind a parked bus."
+    assert text not in left, "nothing would be left"

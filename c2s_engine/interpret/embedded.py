@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from pydantic import ValidationError
+
 from c2s_engine.interpret import typologies
 from c2s_engine.interpret.accounting import accounted
 from c2s_engine.interpret.composing import compose
@@ -48,13 +50,23 @@ def faults() -> Iterator[None]:
         yield
     except (InterpretError, InterpreterFault):
         raise
+    except ValidationError as error:
+        said = error.errors()[0]
+        if "error" not in said.get("ctx", {}):  # a fault of the reading; else a number that S does not take
+            raise _fault(error) from error
+        reason = str(said["ctx"]["error"])
+        raise InterpreterFault(f"{reason[:1].upper()}{reason[1:]}: correct the text. Nothing was changed.") from None
     except Exception as error:
-        frames = traceback.extract_tb(error.__traceback__)
-        at = next(f for f in reversed(frames) if "c2s_engine" in Path(f.filename).parts)
-        raise InterpreterFault(
-            f"c2s failed at this text ({type(error).__name__} in {Path(at.filename).name}, line {at.lineno}); the "
-            "fault is in c2s, please report it with the text. Nothing was changed; shorter sentences may do."
-        ) from error
+        raise _fault(error) from error
+
+
+def _fault(error: Exception) -> InterpreterFault:
+    frames = traceback.extract_tb(error.__traceback__)
+    at = next(f for f in reversed(frames) if "c2s_engine" in Path(f.filename).parts)
+    return InterpreterFault(
+        f"c2s failed at this text ({type(error).__name__} in {Path(at.filename).name}, line {at.lineno}); the "
+        "fault is in c2s, please report it with the text. Nothing was changed; shorter sentences may do."
+    )
 
 
 @dataclass(frozen=True)

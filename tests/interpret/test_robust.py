@@ -142,6 +142,15 @@ def test_a_fault_of_the_interpreter_is_raised_with_its_cause_and_told_in_a_sente
     assert asked.edits == () and "please report it" in asked.reply
 
 
+def test_a_number_that_s_does_not_take_is_said() -> None:
+    said = r"^A speed is at most 360 km/h: correct the text\. Nothing was changed\.$"
+    with pytest.raises(InterpreterFault, match=said):
+        EmbeddedInterpreter().interpret("Ego drives at 900 km/h. A car ahead brakes.")
+    lead = EmbeddedInterpreter().interpret("A car ahead of ego brakes.").structure
+    with pytest.raises(InterpreterFault, match="^A speed is not below 0"):
+        turn.route("ego drives -20 km/h", lead)
+
+
 def test_of_more_road_users_than_s_can_name_the_first_are_taken(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(embedded, "MOST_OBJECTS", 2)
     found = EmbeddedInterpreter().interpret("A van is ahead of ego, a truck behind it and a bus in the left lane.")

@@ -996,14 +996,15 @@ def to_line(car, lane):
     """How far (m) the front of `car` is from the spot before the stop line of a lane where one stands."""
     return stop_line(lane) - 1 - lane.centerline.lineString.project(shapely.geometry.Point(*car.position[:2])) - car.length / 2
 
-def short_of(car, points, others, speed, rate=3, room=3):
+def short_of(car, points, others, speed, rate=3, room=3, anyhow=False):
     """The speed (m/s), at most `speed` and gained gently, at which `car` comes to a stand `room` m before whoever of the
-    others has not gone by."""
+    others has not gone by, or is on its way; `anyhow`: or where they were."""
     def half(other):
         across = abs(math.sin(other.heading - car.heading))
         return (other.width * across + other.length * (1 - across)) / 2
-    ahead = [along_line(points, other.position)[0] - half(other) - room
-             for other in others if not passed(other, car, margin=2.5)]
+    there = [(other, *along_line(points, other.position)) for other in others]
+    ahead = [metres - half(other) - room for other, metres, aside in there
+             if anyhow or aside < (car.width + other.width) / 2 or not passed(other, car, margin=2.5)]
     gently = min(speed, car.speed + 2 * simulation().timestep)
     return up_to(min(ahead) - along_line(points, car.position)[0] - car.length / 2, gently, rate) if ahead else gently
 

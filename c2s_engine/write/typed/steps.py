@@ -121,7 +121,7 @@ def _stop(c: Course, p: Phase) -> list[Step]:
     first: Step = ([drive], "until self.speed < 0.2")
     if p.clearance is not None and p.target:
         them, room = every(c.actor.structure, p.target), scope.number(middle(p.clearance))
-        rest = f"lambda: short_of(self, line, [{them}], {c.speed}, {scope.number(rate)}, {room})"
+        rest = f"lambda: short_of(self, line, [{them}], {c.speed}, {scope.number(rate)}, {room}, anyhow=True)"
         return [([c.drive(rest, 9)], "until self.speed < 0.2"), ([c.drive("0", rate)], ending(p, "for 1 seconds"))]
     if p.trigger and (p.trigger == AT_LINE or p.trigger.kind == "light") and (lane := c.actor.to_junction):
         own = "" if rate == 3.5 else f", rate={scope.number(rate - 0.5)}"

@@ -2,7 +2,7 @@
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+from c2s_engine.structure.specs import AnySpec, EgoSpec, ObjectSpec
 from c2s_engine.write.typed import lateral, scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.stations import at_door
@@ -181,6 +181,13 @@ def _runs_on(spec: object) -> float:
     return round((slow + fast) / 2, 1) if fast > slow + 0.5 else 0.0
 
 
+def _drives_first(spec: AnySpec) -> bool:
+    """Whether somebody who sets off has come there, and stopped."""
+    phases = spec.phases if isinstance(spec, EgoSpec | ObjectSpec) else ()
+    stands = getattr(spec, "speed", None) == 0 or not phases or phases[0].action in ("stationary", "wait", "start")
+    return not stands and "stop" in [p.action for p in phases]
+
+
 def observed(structure: Structure, other: str, cid: str, action: str | None) -> str:
     """What can be seen of another's action while it is at it."""
     spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
@@ -196,6 +203,8 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
         return f"slows_down({other})"
     if action == "cross_road" and (faster := _runs_on(spec)):
         return f"{other}.speed > {scope.number(faster)}"
+    if action == "start" and _drives_first(spec):
+        return f"sets_off({other})"
     if action in ("start", "enter_road", "cross_road", "move_along"):
         return f"{other}.speed > 0.5"
     if action == "reverse":

@@ -66,12 +66,6 @@ def run_scene(scene: Any, *, names: dict[int, str], components: dict[str, str], 
     return facts, ways.model_copy(update={"tracks": tracks, "outline": outline})
 
 
-NO_ROADS = (
-    "the program has no roads to run on: begin it with param map = localPath('town.xodr'), and on a line of its own "
-    "model scenic.simulators.carla.model"
-)
-
-
 class Run:
     """A run's recording and how it ended."""
 
@@ -89,9 +83,6 @@ def simulate(scene: Any, *, names: dict[int, str], seed: int, seconds: float, ma
     step = min(0.1, max(0.01, float(scene.params.get("timestep", 0.1))))
     simulation: DryRunSimulation | None = None
     made: list[DryRunSimulation] = []
-    if not hasattr(scene.workspace, "network"):
-        run.reason = NO_ROADS
-        return run
 
     class Kept(DryRunSimulation):
         def setup(self) -> None:

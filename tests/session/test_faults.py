@@ -160,7 +160,7 @@ async def test_code_by_hand_is_kept_and_a_conflict_is_said(server, session, meth
     if method == "embedded":
         told = "New scenario: a car drives 20 m ahead of ego in its lane at 40 km/h."
         await take(session.say(told, method=method, run=False))
-    mine = session.structure["O1"].code + "# mine\n"
+    mine = session.structure["O1"].code.replace("new Car", "new Van") + "# mine\n"  # what another type writes anew, too
     await take(session.apply(SetCode(component="O1", code=mine), method=method, run=False))
     assert session.structure["O1"].conflict is None and "# mine" in session.program.text
     if method != "embedded":

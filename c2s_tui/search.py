@@ -65,17 +65,6 @@ class Search(Part):
             await self.chat.note(f"{cid or 'S'} has no field for “{words}”. Similar code:", "note")
         await self.chat.found([passage for *_, passages in new for passage in passages])
 
-    @background("no_effect")
-    async def name_what_has_no_effect(self, text: str) -> None:
-        """When a description was read, say which of its words make no difference to S."""
-        try:
-            found = await self.backend.ask(lambda engine: engine.without_effect(text))
-        except (ValueError, OSError):
-            return  # what cannot be read is said by the turn
-        if found and text == self.desk.structure.text:
-            words = "; ".join(f"“{u.text}”" for u in found)
-            await self.chat.note(f"S would be the same without: {words}.", "note")
-
     def _result(self, number: str) -> Passage | None:
         """The result that a number means; None where there is none."""
         passages = self.chat.passages

@@ -81,10 +81,22 @@ class Turns(Part):
                 self.bench.running.find_gaps()
                 self.bench.search.offer_snippets(self.desk.structure)
                 if self.desk.structure.text not in ("", text) and self.bench.choices.choice.method == "embedded":
-                    self.bench.search.name_what_has_no_effect(self.desk.structure.text)
+                    self.name_what_has_no_effect(self.desk.structure.text)
         then, self.then = self.then, ""
         if finished and then and self.bench.picture.available and not self.bench.picture.has_class("-on"):
             await self.bench.run_command(then)
+
+    @background("no_effect")
+    async def name_what_has_no_effect(self, text: str) -> None:
+        """When a description was read, say which of its words make no difference to S."""
+        from c2s_engine.session.no_effect import told
+
+        try:
+            found = await self.backend.ask(lambda engine: engine.without_effect(text))
+        except (ValueError, OSError):
+            return  # what cannot be read is said by the turn
+        if found and text == self.desk.structure.text:
+            await self.chat.note(told(found), "note")
 
     async def _take(self, event: Progress) -> None:
         if isinstance(event, StageStarted):

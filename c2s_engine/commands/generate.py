@@ -1,5 +1,6 @@
 """`c2s generate`: a description in, a Scenic program that runs out."""
 
+import asyncio
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -14,7 +15,7 @@ from c2s_engine.commands.console import BAD_INPUT, NO_SERVICE, OK, REFUSED, Inpu
 from c2s_engine.commands.reading import read_text
 from c2s_engine.structure.account import account
 from c2s_engine.structure.measures import collisions
-from c2s_engine.structure.progress import Finished, Say, StageStarted
+from c2s_engine.structure.progress import Finished, Say, StageStarted, StructureChanged
 
 
 def generate(
@@ -100,18 +101,21 @@ async def _generate(
     if not quiet:
         err.print(Text(f"c2s: {words} words, method {method}", style="dim"))
     with err.status("starting") if not quiet and err.is_terminal else _quiet() as status:
+        idle: asyncio.Task[Any] | None = None
         async with Engine(settings) as engine:
             async for event in engine.generate(text, **options):
-                if isinstance(event, StageStarted) and status is not None:
+                if isinstance(event, StructureChanged) and idle is None and method == "embedded":
+                    read = event.structure.text
+                    idle = asyncio.create_task(engine.without_effect(read))  # while the scenario is written and run
+                elif isinstance(event, StageStarted) and status is not None:
                     status.update(event.stage)
                 elif isinstance(event, Say) and not quiet:
                     err.print(Text(event.text, style={"warning": "yellow", "error": "red"}.get(event.severity, "")))
                 elif isinstance(event, Finished):
-                    if method == "embedded" and event.structure.text:
+                    if idle is not None:
                         if status is not None:
                             status.update("reading the text again without each phrase")
-                        found = await engine.without_effect(event.structure.text)
-                        event = event.model_copy(update={"details": {**event.details, "without_effect": found}})
+                        event = event.model_copy(update={"details": {**event.details, "without_effect": await idle}})
                     if not contradictions:
                         return event
                     if status is not None:

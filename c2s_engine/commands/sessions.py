@@ -68,8 +68,7 @@ def edit(
 ) -> None:
     """Work on a session: say something, set fields of S, write code by hand, undo, redo; show where it stands."""
     with sentences(as_json):
-        asked = (fields or [], remove or [], code or [])
-        edits_of(*asked)  # said before anything is done
+        edits = edits_of(fields or [], remove or [], code or [])
         options = {"method": method, "seed": seed, "run": not no_run, "improve": improve}
         chosen = chosen_seeds(seeds, seed)
         if contradictions and no_run:
@@ -77,7 +76,7 @@ def edit(
         text = (program, read_program(program)) if program else None
         if not (new or program):
             known(name)
-        session, done = asyncio.run(_work(name, text, say, asked, (undo, redo, resume, to), options, model, as_json,
+        session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume, to), options, model, as_json,
                                           contradictions))  # fmt: skip
         if output is not None:
             from c2s_engine.saving import save
@@ -163,27 +162,29 @@ def known(name: str, new: str = "--new") -> None:
         raise InputError(f"There is no session {name!r}: {there} {new} makes it.")
 
 
-def edits_of(
-    fields: list[str], remove: list[str], code: list[str], structure: Structure | None = None
-) -> list[Any]:
-    """The edits of S that options name: ID.FIELD=VALUE, IDs to remove, ID=FILE. Values are JSON in SI units; of a
-    `structure` as its fields are typed: 50 km/h, 5-8 m (JSON lists and objects are SI there, too). Raises InputError,
-    EditError."""
-    from c2s_engine.structure.edits import RemoveObject, SetCode, SetDescription, SetField
+def field_edit(name: str, value: Any) -> Any:
+    """The edit of S that sets ID.FIELD; raises InputError."""
+    from c2s_engine.structure.edits import SetDescription, SetField
+
+    component, dot, path = name.strip().partition(".")
+    if not dot or not path:
+        raise InputError(f"{name}: write it as ID.FIELD, such as O1.speed")
+    if path == "description":
+        return SetDescription(component=component, description=str(value))
+    return SetField(component=component, path=path, value=value)
+
+
+def edits_of(fields: list[str], remove: list[str], code: list[str]) -> list[Any]:
+    """The edits of S that options name: ID.FIELD=VALUE (the values as they are typed), IDs to remove, ID=FILE; raises
+    InputError."""
+    from c2s_engine.structure.edits import RemoveObject, SetCode
 
     edits: list[Any] = []
     for given in fields:
         target, equals, text = given.partition("=")
-        component, dot, path = target.strip().partition(".")
-        if not equals or not dot or not path:
+        if not equals or "." not in target:
             raise InputError(f"--set {given}: write it as ID.FIELD=VALUE, such as O1.speed=40")
-        value = _value(text, structure, component, path)
-        described = path == "description"
-        edits.append(
-            SetDescription(component=component, description=str(value))
-            if described
-            else SetField(component=component, path=path, value=value)
-        )
+        edits.append(field_edit(target, text))
     edits += [RemoveObject(component=r) for r in remove]
     for given in code:
         component, equals, file = given.partition("=")
@@ -193,24 +194,29 @@ def edits_of(
     return edits
 
 
-def _value(text: str, structure: Structure | None, component: str, path: str) -> Any:
-    """What a typed value means."""
+def _meant(edit: Any, structure: Structure) -> Any:
+    """An edit with what its typed value means: as in the fields of the app (50 km/h, 5-8 m), or JSON in SI units.
+    Raises EditError."""
+    from c2s_engine.structure.edits import SetField
     from c2s_engine.structure.values import field_at, parse
 
-    spec = structure[component].spec if structure is not None and component in structure else None
-    if spec is not None and text.strip()[:1] not in ("[", "{", '"') and (field := field_at(spec, path)) is not None:
-        return parse(field, "" if text.strip() == "null" else text)
-    try:
-        return json.loads(text)
-    except ValueError:
-        return text
+    if not isinstance(edit, SetField):
+        return edit
+    text, value = str(edit.value).strip(), edit.value
+    field = field_at(structure[edit.component].spec, edit.path) if edit.component in structure else None
+    if field is not None and text[:1] not in ("[", "{", '"'):
+        value = parse(field, "" if text == "null" else text)
+    else:
+        with contextlib.suppress(ValueError):
+            value = json.loads(text)
+    return edit.model_copy(update={"value": value})
 
 
 async def _work(
     name: str,
     program: tuple[Path, str] | None,
     say: str | None,
-    asked: tuple[list[str], list[str], list[str]],
+    edits: list[Any],
     steps: tuple[bool, bool, bool, int | None],
     options: dict[str, Any],
     model: str | None,
@@ -226,7 +232,7 @@ async def _work(
     done: Finished | None = None
     engine = Engine(load_settings(model=model))
     async with contextlib.AsyncExitStack() as stack:
-        if program or say or any(asked) or resume or contradictions:  # the rest needs no check server
+        if program or say or edits or resume or contradictions:  # the rest needs no check server
             await stack.enter_async_context(engine)
         session = _sessions().open(name, engine)
         try:
@@ -245,9 +251,9 @@ async def _work(
                 done = await _take(session.apply(given, **options), quiet)
             if say:
                 done = await _take(session.say(say, **options), quiet)
-            if any(asked):
-                edits = edits_of(*asked, session.structure)
-                done = await _take(session.apply(edits, **options), quiet)
+            if edits:
+                meant = [_meant(edit, session.structure) for edit in edits]
+                done = await _take(session.apply(meant, **options), quiet)
             if contradictions:
                 done = await with_contradictions(engine, done or state_of(session), options["seed"])
         finally:

@@ -8,6 +8,7 @@ from rich.table import Table
 from rich.text import Text
 
 from c2s_engine.commands.console import out
+from c2s_engine.session import no_effect
 from c2s_engine.session.seeds import verdict
 from c2s_engine.session.why import KEPT
 from c2s_engine.structure.components import Structure, Unmet, unrecognised
@@ -77,8 +78,7 @@ def outcome(
 def without_effect(found: Sequence[Unmet], to: Console = out) -> None:
     """Words of the text without which S would be the same."""
     if found:
-        words = "; ".join(f"“{u.text}”" for u in found)
-        to.print(Text(f"S would be the same without: {words}.", style="yellow"))
+        to.print(Text(no_effect.told(found), style="yellow"))
 
 
 def contradictions(details: Mapping[str, Any], to: Console = out) -> None:

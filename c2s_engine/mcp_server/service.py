@@ -1,7 +1,6 @@
 """The tools over one engine, with progress and cancellation. Needs the package `mcp` (extra `[mcp]`)."""
 
 import asyncio
-import json
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import aclosing, asynccontextmanager
 from importlib.metadata import version
@@ -190,13 +189,13 @@ class Service:
         """Work on a named session: say something, set fields of S, remove objects, undo; gives where it stands then."""
 
         async def work() -> dict[str, Any]:
-            from c2s_engine.commands.sessions import edits_of, known, state_of
+            from c2s_engine.commands.sessions import edits_of, field_edit, known, state_of
             from c2s_engine.session.sessions import Sessions
             from c2s_engine.structure.edits import Replace
 
             answers.needs_folder(output)
-            fields = [f"{name}={json.dumps(value)}" for name, value in (set or {}).items()]
-            edits, teller = edits_of(fields, remove or [], []), Teller(context)
+            edits = [*(field_edit(name, value) for name, value in (set or {}).items()), *edits_of([], remove or [], [])]
+            teller = Teller(context)
             options = {"method": method, "seed": seed}
             if not (new or program):
                 known(session, "`new`: true")

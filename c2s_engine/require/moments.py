@@ -8,7 +8,7 @@ import numpy as np
 from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
 from c2s_engine.require.geometry import lead
 from c2s_engine.require.results import between, scored, span, unknown, words
-from c2s_engine.require.scene import Scene, bounds
+from c2s_engine.require.scene import TURNS, Scene, bounds
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
@@ -18,8 +18,6 @@ OVER_LINE = ("cut_in", "cut_out", "lane_change")
 SLOWS = ("brake", "stop")
 SETS_OUT = ("enter_road", "cross_road", "move_along", "reverse")
 """What begins as somebody who stood sets out, long before it is seen on the road."""
-ONE_WAY = ("turn_left", "turn_right", "go_straight", "u_turn")
-"""Ways over a junction: who stood before it begins its own as it sets out."""
 SIDEWAYS = (*OVER_LINE, "swerve", "drift")
 LANE = 3.5
 """m, of most maps' lanes."""
@@ -98,7 +96,7 @@ def onset(motion: Motion, action: str, time: float) -> float:
         while at > 0 and sign * motion.acceleration[at - 1] > rate:
             at -= 1
         return float(motion.time[at])
-    if action in (*SETS_OUT, *ONE_WAY) and (stood := np.flatnonzero(motion.speed[: at + 1] < STANDING)).size:
+    if action in (*SETS_OUT, *TURNS) and (stood := np.flatnonzero(motion.speed[: at + 1] < STANDING)).size:
         return float(motion.time[min(int(stood[-1]) + 1, at)])
     return time
 

@@ -13,6 +13,7 @@ from c2s_engine.structure.requirements import Kind, Requirement, Value
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 
 TURNS = ("turn_left", "turn_right", "go_straight", "u_turn")
+"""Ways over a junction: who stood before it begins its own as it sets out."""
 STOPS = ("stop", "wait", "yield")
 
 

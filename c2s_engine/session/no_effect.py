@@ -1,6 +1,7 @@
 """What of a text makes no difference to S, though no stage named it as lost: the text is read without each phrase."""
 
 import asyncio
+from collections.abc import Sequence
 from typing import Any
 
 from c2s_engine.session.reader import Unreadable, phrases, read
@@ -28,6 +29,11 @@ async def without_effect(text: str, tools: Tools) -> tuple[Unmet, ...]:
         if same:
             found.append((start, end))
     return tuple(Unmet(text=text[a:b].strip(" ,;.\n"), reason=REASON, span=(a, b)) for a, b in sorted(found))
+
+
+def told(found: Sequence[Unmet]) -> str:
+    """These phrases in a sentence."""
+    return f"S would be the same without: {'; '.join(f'“{u.text}”' for u in found)}."
 
 
 def _lost(structure: Structure) -> list[Unmet]:

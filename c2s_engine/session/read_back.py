@@ -27,11 +27,14 @@ async def read_back(
     edited = [c.id for c in after.components if c.id in before and _by_hand(before, after, c.id)]
     told: list[tuple[ComponentId, Change]] = []
     for cid in [c for c in edited if before[c].origin in ("rendered", "by_hand") and after[c].code]:
-        fields = _numbers_read(before, after, cid, writer)
+        old = without_numbers(before[cid].code, after[cid].code)
+        fields = _numbers_read(before, after, cid, old, writer)
         if fields is not None:
             found = changes(data(after[cid]), data(fields[cid]))
             told += [(cid, change) for change in found]
-            after = _in_step(before, after, fields, cid, {change.name for change in found}, writer)
+            plain = before[cid].origin == "rendered" and old == before[cid].code
+            fields = _not_assumed(fields, cid, {change.name for change in found})
+            after = _rendered(before, fields, cid, writer) if plain else _in_step(before, fields, cid)
             edited.remove(cid)
     if edited:
         after, more = await _read_again(before, after, check)
@@ -41,33 +44,38 @@ async def read_back(
     return after
 
 
-def _numbers_read(before: Structure, after: Structure, cid: ComponentId, writer: TypedWriter) -> Structure | None:
-    """S with the fields that numbers changed by hand stand for; None where there are none or no field does."""
-    own, old = after[cid].code, without_numbers(before[cid].code, after[cid].code)
-    if own.strip() == old.strip():
+def _numbers_read(
+    before: Structure, after: Structure, cid: ComponentId, old: str, writer: TypedWriter
+) -> Structure | None:
+    """S with the fields that numbers changed by hand stand for, `old` being the code without these changes; None where
+    there are none or no field does."""
+    if after[cid].code.strip() == old.strip():
         return None
     try:
         base = before[cid].code if before[cid].origin == "rendered" else writer.write(before, cid).code
     except ValueError:
         return None
-    return as_field(old, after, cid, Upon(writer, base, old))
+    return as_field(after, cid, Upon(writer, base, old))
 
 
-def _in_step(
-    before: Structure, after: Structure, fields: Structure, cid: ComponentId, said: set[str], writer: TypedWriter
-) -> Structure:
-    """S with those fields: code in which but numbers were changed is what the writer writes for them."""
-    assumed = tuple(a for a in after[cid].assumed if a.field not in said)
-    plain = before[cid].origin == "rendered" and without_numbers(before[cid].code, after[cid].code) == before[cid].code
-    update = {"assumed": assumed, **({"origin": "rendered", "conflict": None} if plain else {})}
-    ours = fields[cid].model_copy(update=update)
-    if not plain:
-        ours = with_sentence(before, fields.with_component(ours), cid)
-        whole = before[cid].origin == "rendered" or by_hand.in_step(before, cid)
-        return by_hand.followed(fields.with_component(ours), before, cid, whole)
+def _not_assumed(fields: Structure, cid: ComponentId, said: set[str]) -> Structure:
+    """S in which fields that code by hand says now are assumed no longer."""
+    assumed = tuple(a for a in fields[cid].assumed if a.field not in said)
+    return fields.with_component(fields[cid].model_copy(update={"assumed": assumed}))
+
+
+def _rendered(before: Structure, fields: Structure, cid: ComponentId, writer: TypedWriter) -> Structure:
+    """S whose code of a component, in which but numbers were changed, is what the writer writes for its fields."""
+    ours = fields[cid].model_copy(update={"origin": "rendered", "conflict": None})
     after = retold(before, fields.with_component(ours))
     key = key_of(after, cid, writer) if after[cid].description == ours.description else ""  # to be written anew
     return after.with_component(after[cid].model_copy(update={"key": key}))
+
+
+def _in_step(before: Structure, fields: Structure, cid: ComponentId) -> Structure:
+    """S whose code of a component, in which more than numbers was changed, is by hand and says its fields."""
+    told = fields.with_component(with_sentence(before, fields, cid))
+    return by_hand.followed(told, before, cid, before[cid].origin == "rendered" or by_hand.in_step(before, cid))
 
 
 def _by_hand(before: Structure, after: Structure, cid: ComponentId) -> bool:

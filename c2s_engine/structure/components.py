@@ -86,6 +86,10 @@ class Component(Frozen):
         """G, R, E, O or T."""
         return self.id[0]
 
+    def with_own_code(self, code: str) -> "Component":
+        """The component with code that somebody wrote; nothing is known yet of how it stands to the fields."""
+        return self.model_copy(update={"code": code, "origin": "by_hand", "conflict": None, "by_hand": ""})
+
     @property
     def recognised(self) -> bool:
         """Whether the code does what the spec says, and no more: not known of most code by hand or imported."""

@@ -135,10 +135,9 @@ def _changed(component: Component, edit: SetDescription | SetSpec | SetField | S
             return component.model_copy(
                 update={"code": "", "origin": "rendered", "key": "", "conflict": None, "by_hand": ""}
             )
-        kept = "apart" if component.conflict is not None and edit.code == component.code else ""
-        return component.model_copy(
-            update={"code": edit.code, "origin": "by_hand", "conflict": None, "by_hand": kept}
-        )
+        kept = component.conflict is not None and edit.code == component.code
+        own = component.with_own_code(edit.code)
+        return own.model_copy(update={"by_hand": "apart"}) if kept else own
     if isinstance(edit, SetSpec):
         if edit.spec.component != component.kind:
             raise EditError(f"a spec of {edit.spec.component} does not fit {component.id}")

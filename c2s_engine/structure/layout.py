@@ -48,8 +48,7 @@ def edited(structure: Structure, text: str) -> Structure:
     for component in structure.components:
         was, now = _of(old, component.id), _of(new, component.id)
         if was != now:
-            hand = {"code": now, "origin": "by_hand", "conflict": None}
-            structure = structure.with_component(component.model_copy(update=hand))
+            structure = structure.with_component(component.with_own_code(now))
     return structure.model_copy(update={"arrangement": tuple(new)})
 
 

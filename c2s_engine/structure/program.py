@@ -5,10 +5,18 @@ import io
 from pydantic import BaseModel, ConfigDict
 
 from c2s_engine.structure import layout
-from c2s_engine.structure.components import ComponentId, Structure
+from c2s_engine.structure.components import Component, ComponentId, Structure
 
-BORDER = "## {id}: "
-"""Every fragment begins with a comment line `## O1: its one-sentence description`."""
+
+def border(component: Component) -> str:
+    """The comment line with which a fragment begins: `## O1: its one-sentence description`."""
+    return f"## {component.id}: {' '.join(component.description.split())}".rstrip(": ")
+
+
+def parted(code: str) -> tuple[str, str]:
+    """A fragment's border with its end of line, if it has one, and the rest."""
+    at = code.find("\n") + 1 if code.startswith("## ") else 0
+    return code[:at], code[at:]
 
 
 class FragmentSpan(BaseModel):

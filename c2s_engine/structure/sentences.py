@@ -8,6 +8,7 @@ from typing import Any
 import yaml
 
 from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.program import border, parted
 from c2s_engine.structure.quantity import Quantity, high, low
 from c2s_engine.structure.specs import (
     EgoSpec,
@@ -289,16 +290,16 @@ def sentence(component: Component, structure: Structure) -> str:
 
 
 def with_sentence(before: Structure, after: Structure, cid: str) -> Component:
-    """A component of S after a change, its sentence, also in the comment that borders its code, saying what its spec
-    does now, if it did before."""
+    """A component of S after a change, its sentence saying what its spec does now, if it did before; the comment that
+    borders its code says the sentence, if it did."""
     component, was = after[cid], before[cid].description
-    if not was == component.description == sentence(before[cid], before):
-        return component
-    now = sentence(component, after)
-    border, code = f"## {cid}: {was}\n", component.code
-    if code.startswith(border):
-        code = f"## {cid}: {now}\n{code.removeprefix(border)}"
-    return component.model_copy(update={"description": now, "code": code})
+    own = component.description != was or was != sentence(before[cid], before)
+    now = component.description if own else sentence(component, after)
+    told = component.model_copy(update={"description": now})
+    line, code = parted(component.code)
+    if line.rstrip() == border(before[cid]):
+        told = told.model_copy(update={"code": f"{border(told)}\n{code}"})
+    return told
 
 
 def retold(before: Structure, after: Structure) -> Structure:

@@ -51,7 +51,7 @@ def _field(spec: BaseModel, name: str, info: Any, path: str, depth: int) -> list
     is_set = value != default or info.is_required()
     if isinstance(value, BaseModel):
         return [Field(path, plain, is_set, about=about, depth=depth, leaf=False), *fields(value, f"{path}.", depth + 1)]
-    model = _model_in(info.annotation)
+    model = model_in(info.annotation)
     if isinstance(value, tuple) and model is not None:
         rows = [Field(path, plain, is_set, about=about, depth=depth, leaf=False, many=True)]
         for i, item in enumerate(value):
@@ -59,7 +59,7 @@ def _field(spec: BaseModel, name: str, info: Any, path: str, depth: int) -> list
             rows += fields(item, f"{path}.{i}.", depth + 2)
         return rows
     if model is not None and value is None:  # an optional part that is absent: one row, its own fields appear once set
-        return [Field(path, None, False, about=about, depth=depth, choices=_head_choices(model))]
+        return [Field(path, None, False, about=about, depth=depth, choices=head_choices(model))]
     choices = _choices(info.annotation)
     unit = _unit(about)
     many = isinstance(value, tuple) and not unit and get_origin(info.annotation) is tuple
@@ -76,7 +76,7 @@ def field_at(spec: BaseModel, path: str) -> Field | None:
         info = model.model_fields.get(name) if model is not None else None
         if info is None:
             return None
-        model = _model_in(info.annotation)
+        model = model_in(info.annotation)
     about = (info.description or _described(info)) if info else ""
     return Field(path, None, False, choices=_choices(info.annotation), unit=_unit(about), about=about) if info else None
 
@@ -107,11 +107,11 @@ def _choices(annotation: Any) -> tuple[str, ...]:
     return tuple(found)
 
 
-def _model_in(annotation: Any) -> type[BaseModel] | None:
+def model_in(annotation: Any) -> type[BaseModel] | None:
     return next((p for p in _walk(annotation) if isinstance(p, type) and issubclass(p, BaseModel)), None)
 
 
-def _head_choices(model: type[BaseModel]) -> tuple[str, ...]:
+def head_choices(model: type[BaseModel]) -> tuple[str, ...]:
     first = next(iter(model.model_fields.values()))
     return _choices(first.annotation)
 
@@ -120,11 +120,11 @@ def head_name(spec: BaseModel, path: str) -> str | None:
     """For an absent optional part, the name of its first field: setting that makes the part."""
     annotation: Any = type(spec)
     for part in path.split("."):
-        model = annotation if isinstance(annotation, type) else _model_in(annotation)
+        model = annotation if isinstance(annotation, type) else model_in(annotation)
         if model is None or not issubclass(model, BaseModel):
             return None
         annotation = model.__pydantic_fields__[part].annotation if not part.isdigit() else model
-    model = _model_in(annotation)
+    model = model_in(annotation)
     return next(iter(model.model_fields)) if model is not None and get_origin(annotation) in (Union, types.UnionType) \
         else None  # fmt: skip
 

@@ -1,6 +1,5 @@
 """Which fields of a component, with other values, make the writer write what somebody changed in its code."""
 
-import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -9,19 +8,18 @@ from pydantic import ValidationError
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.write.in_place import data, ends, put
-from c2s_engine.write.merged import Upon
+from c2s_engine.write.merged import TOKEN, Upon
 
 MOST = 3
 """Numbers that may be changed at once."""
-_TOKEN = re.compile(r"\d+(?:\.\d+)?|\w+|\s+|.")
 _UNITS = (1.0, 3.6, 1 / 3.6)
 
 
-def as_field(old: str, structure: Structure, cid: ComponentId, writer: Upon) -> Structure | None:
+def as_field(structure: Structure, cid: ComponentId, writer: Upon) -> Structure | None:
     """The structure (whose component has the new code) with the fields for which the writer writes that code; None
-    where it is not by numbers alone that the code differs from the `old`, or where no fields give it."""
+    where it is not by numbers alone that the code differs from the writer's `own`, or where no fields give it."""
     wanted = structure[cid].code.strip()
-    differing = _numbers(old.strip(), wanted)
+    differing = _numbers(writer.own.strip(), wanted)
     if not differing or len(differing) > MOST:
         return None
     left = len(differing)
@@ -59,7 +57,7 @@ def _nearer(
 
 def _numbers(old: str, new: str) -> list[tuple[str, str]] | None:
     """The numbers that differ; None where anything else does, too."""
-    one, other = _TOKEN.findall(old), _TOKEN.findall(new)
+    one, other = TOKEN.findall(old), TOKEN.findall(new)
     pairs = [(a, b) for a, b in zip(one, other, strict=False) if a != b]
     plain = len(one) == len(other) and all(a[0].isdigit() and b[0].isdigit() for a, b in pairs)
     return [(a, b) for a, b in pairs if float(a) != float(b)] if plain else None

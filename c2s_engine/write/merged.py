@@ -5,11 +5,13 @@ from dataclasses import dataclass
 from difflib import SequenceMatcher
 
 from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.program import parted
 from c2s_engine.structure.regenerate import FragmentWriter
 
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 _COMMENT = re.compile(r"""('[^']*'|"[^"]*")|#.*""")
-_TOKEN = re.compile(r"\d+(?:\.\d+)?|\w+|\n[^\S\n]*|[^\S\n]+|.")
+TOKEN = re.compile(r"\d+(?:\.\d+)?|\w+|\n[^\S\n]*|[^\S\n]+|.")
+"""The words, numbers, signs and gaps of code: joined they are the code."""
 
 
 @dataclass(frozen=True)
@@ -31,9 +33,9 @@ class Upon:
 
 def merged(base: str, own: str, other: str) -> str | None:
     """`own`, with the words and numbers that `other` has otherwise than `base`; None where `own` differs from `base`
-    there, too. The comment that borders a component is the other's, unless it was changed."""
-    (border, base), (own_border, own), (other_border, other) = (_parted(text) for text in (base, own, other))
-    start, mine, theirs = (_TOKEN.findall(text.strip()) for text in (base, own, other))
+    there, too; but for the comment that borders a component, which stays."""
+    (_, base), (border, own), (_, other) = (parted(text) for text in (base, own, other))
+    start, mine, theirs = (TOKEN.findall(text.strip()) for text in (base, own, other))
     where = {-1: -1, len(start): len(mine)}
     for found in SequenceMatcher(None, _values(start), _values(mine), autojunk=False).get_matching_blocks():
         where |= {found.a + k: found.b + k for k in range(found.size)}
@@ -50,7 +52,7 @@ def merged(base: str, own: str, other: str) -> str | None:
     for first, last, tokens in reversed(places):
         mine[first:last] = tokens
     head, tail = own[: len(own) - len(own.lstrip())], own[len(own.rstrip()) :]
-    return (other_border if own_border == border else own_border) + head + "".join(mine) + tail
+    return border + head + "".join(mine) + tail
 
 
 def without_numbers(base: str, own: str) -> str:
@@ -66,19 +68,13 @@ def without_numbers(base: str, own: str) -> str:
 
 def alike(code: str, other: str) -> bool:
     """Whether two pieces of code are the same but for comments, empty lines and how numbers are written."""
-    one, two = (_values(_TOKEN.findall(_plain(text))) for text in (code, other))
+    one, two = (_values(TOKEN.findall(_plain(text))) for text in (code, other))
     return one == two
 
 
 def _plain(code: str) -> str:
     lines = (_COMMENT.sub(lambda m: m[1] or "", line).rstrip() for line in code.split("\n"))
     return "\n".join(line for line in lines if line)
-
-
-def _parted(code: str) -> tuple[str, str]:
-    """A component's border, a comment line, and the rest."""
-    at = code.find("\n") + 1 if code.startswith("## ") else 0
-    return code[:at], code[at:]
 
 
 def _values(tokens: list[str]) -> list[str | float]:

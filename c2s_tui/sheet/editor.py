@@ -67,11 +67,11 @@ class FieldEditor(Vertical):
         return self.field.choices if self.field else ()
 
     def _item_choices(self) -> tuple[str, ...]:
-        from c2s_engine.structure.values import _head_choices, _model_in
+        from c2s_engine.structure.values import head_choices, model_in
 
         assert self.field
-        model = _model_in(type(self.spec).model_fields[self.field.path].annotation)
-        return _head_choices(model) if model else ()
+        model = model_in(type(self.spec).model_fields[self.field.path].annotation)
+        return head_choices(model) if model else ()
 
     def _hint(self, error: str = "") -> Content:
         if error:
@@ -108,10 +108,10 @@ class FieldEditor(Vertical):
         return SetField(component=self.row.cid, path=field.path, value=value)
 
     def _first_names(self) -> list[str]:
-        from c2s_engine.structure.values import _model_in
+        from c2s_engine.structure.values import model_in
 
         assert self.field
-        model = _model_in(type(self.spec).model_fields[self.field.path].annotation)
+        model = model_in(type(self.spec).model_fields[self.field.path].annotation)
         return list(model.model_fields)[:1] if model else []
 
     @property

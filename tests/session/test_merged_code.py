@@ -6,7 +6,7 @@ import pytest_asyncio
 from c2s_engine.api import Engine
 from c2s_engine.session.sessions import Sessions
 from c2s_engine.structure.components import unrecognised
-from c2s_engine.structure.edits import SetCode, SetField
+from c2s_engine.structure.edits import SetCode, SetField, SetProgram
 from c2s_engine.structure.progress import Finished, Say
 
 pytestmark = pytest.mark.asyncio(loop_scope="module")
@@ -85,5 +85,8 @@ async def test_code_that_was_kept_against_its_fields_says_so(session):
     assert session.structure["O1"].by_hand == "apart" and session.structure["O1"].conflict is None
     await done(session.apply(SetField(component="E", path="speed", value=7.0), run=False))
     assert session.structure["O1"].by_hand == "apart"
+    whole = session.program.text.replace("\nthe_car = ", "\n# touched again\nthe_car = ")
+    await done(session.apply(SetProgram(text=whole), run=False))
+    assert session.structure["O1"].by_hand == "", "what was kept is not what stands there now"
     await done(session.apply(SetCode(component="O1", code=None), run=False))
     assert session.structure["O1"].by_hand == "" and "THE_CAR_SPEED = 12.5" in session.structure["O1"].code

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from c2s_engine.check.protocol import CheckReport, Upto
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.diagnostics import Diagnostic, TextEdit
-from c2s_engine.structure.program import FragmentSpan, Program, assemble
+from c2s_engine.structure.program import FragmentSpan, Program, assemble, border, parted
 
 Check = Callable[[str, Sequence[FragmentSpan], Upto], Awaitable[CheckReport]]
 Fix = Callable[[str, Sequence[Diagnostic]], str]
@@ -49,14 +49,13 @@ def prefix(structure: Structure, cid: ComponentId, code: str | None = None) -> P
 
 def with_code(component: Component, code: str) -> Component:
     """The component with a generated fragment, under its border line."""
-    border = f"## {component.id}: {' '.join(component.description.split())}".rstrip(": ")
-    return component.model_copy(update={"code": f"{border}\n{code.strip()}\n", "origin": "generated", "conflict": None})
+    text = f"{border(component)}\n{code.strip()}\n"
+    return component.model_copy(update={"code": text, "origin": "generated", "conflict": None})
 
 
 def body(code: str) -> str:
     """A fragment without its border line."""
-    first, _, rest = code.partition("\n")
-    return rest if first.startswith("## ") else code
+    return parted(code)[1]
 
 
 async def verdict(structure: Structure, cid: ComponentId, code: str, check: Check, fix: Fix | None = None) -> Verdict:

@@ -8,6 +8,7 @@ from c2s_engine import driving
 from c2s_engine.maps.expressions import STRETCHES
 from c2s_engine.maps.extras import MapExtras
 from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.program import border
 from c2s_engine.write.typed.decided import with_decisions
 from c2s_engine.write.typed.ego import write_ego
 from c2s_engine.write.typed.objects import write_object
@@ -53,8 +54,7 @@ class TypedWriter:
     def write(self, structure: Structure, cid: ComponentId) -> Component:
         """The component with its fragment; raises ResolveError where specs contradict each other."""
         component = structure[cid]
-        border = f"## {cid}: {_one_line(component.description)}".rstrip(": ").rstrip()
-        code = f"{border}\n{self._rendered(structure, cid)}\n"
+        code = f"{border(component)}\n{self._rendered(structure, cid)}\n"
         return component.model_copy(update={"code": code, "origin": "rendered", "conflict": None})
 
     def _rendered(self, structure: Structure, cid: ComponentId) -> str:
@@ -85,7 +85,3 @@ class TypedWriter:
         """How much road (m) the structure takes where nothing but road is asked for; 0 at junctions and the like."""
         plan = make_plan(spread(structure), self.room)
         return plan.before + plan.after if plan.place.kind in STRETCHES and not plan.ramp else 0.0
-
-
-def _one_line(text: str) -> str:
-    return " ".join(text.split())

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from c2s_engine.require import moments
+from c2s_engine.require import crossing, moments
 from c2s_engine.require.evidence import STANDING, Evidence, Motion
 from c2s_engine.require.geometry import box_distance, lead
 from c2s_engine.require.results import between, decided, scored, unknown
@@ -212,8 +212,10 @@ def _clearance(scene: Scene, actor: str, path: str, phase: Phase) -> Iterator[Re
     where = "stands" if stands else "goes by with"
     text = f"{scene.named(actor)}: {phase.action.replace('_', ' ')}: {where} {least:g} m " \
         f"{'before' if stands else 'between it and'} {scene.named(phase.target)}."  # fmt: skip
+    other = scene.objects.get(phase.target)
+    across = actor == EGO and stands and other is not None and crossing.crosses(other)
     yield scene.make("place", "clearance", actor, f"{path}.clearance", text, other=phase.target, stands=stands,
-                     least=least, most=most)  # fmt: skip
+                     across=across, least=least, most=most)  # fmt: skip
 
 
 def clearance(requirement: Requirement, evidence: Evidence) -> Result:
@@ -229,6 +231,9 @@ def clearance(requirement: Requirement, evidence: Evidence) -> Result:
         if not len(stands):
             return decided(requirement, False, said, "it does not stand")
         at = int(stands[0])
+        if v["across"] and other.course.ego_along:  # who crosses walks on: to their way, along ego's lane
+            front = float(one.of_course("along")[at]) + one.size[0] / 2
+            gaps[at] = crossing.way_across(other)[0] - other.size[1] / 2 - front
     limits = bounds()["clearance"]
     room = limits["stands" if v["stands"] else "passes"]["value"] + limits["share"]["value"] * float(v["most"])  # type: ignore[arg-type]
     return between(requirement, float(gaps[at]), room, said, f"{gaps[at]:.1f} m", float(one.time[at]))

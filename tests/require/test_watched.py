@@ -31,7 +31,8 @@ def actor(name: str, values: dict[str, Any]) -> Actor:
     told = {k: ramp(*v) if isinstance(v, list) and k in ("speed", "x") else v for k, v in values.items()}
     told["events"] = tuple(event(*e) for e in told.get("events", ()))
     told["sight"] = tuple(map(tuple, told.get("sight", [[0.0, True]])))
-    return Actor(name, "E" if name == "ego" else name, marks=WAY, **told)
+    walks = tuple(Mark(kind="crosswalk", start=a, end=b) for a, b in told.pop("marks", ()))
+    return Actor(name, "E" if name == "ego" else name, marks=WAY + walks, **told)
 
 
 def scene(case: dict[str, Any], side: str) -> Scene:

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from c2s_engine.require.crossing import crosses
 from c2s_engine.require.due import arrival, conflict_begins, to_meet
 from c2s_engine.require.evidence import Evidence, Motion
 from c2s_engine.require.geometry import box_distance, lead, post_encroachment, time_to_collision
@@ -48,7 +49,9 @@ def answers(phase: Phase, structure: Structure) -> bool:
         return False
     trigger, place = phase.trigger, structure.place.spec
     if phase.target is not None:
-        return phase.gap is None and (phase.clearance is None or phase.action != "stop")
+        other = structure[phase.target].spec if phase.target in structure and phase.target != EGO else None
+        comes = isinstance(other, ObjectSpec) and crosses(other)
+        return phase.gap is None and (comes or phase.clearance is None or phase.action != "stop")
     if trigger is not None and (trigger.subject not in (None, EGO) or trigger.kind in GONE_BY):
         return False  # it waits for its chance
     if trigger is not None and _landmark(structure, trigger.of):

@@ -586,9 +586,18 @@ behavior StopShortOf(points, walkers, speed, rate=3.5, stands=False, room=3):
     by; come to a stand first where it `stands`."""
     slow = 0.2 if stands else math.inf
     pace = lambda: 0 if stands and _gone_by(self, walkers) else short_of(self, points, walkers, speed, rate, room)
+    do Drive(points, self.speed) for REACTION_TIME seconds
     do Drive(points, pace, rate=9) until self.speed < slow and _gone_by(self, walkers)
     if stands:
         do Drive(points, 0) for 1 seconds
+
+behavior StopBefore(points, others, room=3, rate=None):
+    """Come to a stand `room` m short of others or, where they cross, of their ways: braking at `rate` m/s2 as late as
+    that allows, or evenly, from `REACTION_TIME` on."""
+    speed = self.speed
+    do Drive(points, speed) for REACTION_TIME seconds
+    evenly = rate or max(1.5, min(9, speed ** 2 / (2 * max(rest_to(self, points, others, room), 0.1))))
+    do Drive(points, lambda: up_to(rest_to(self, points, others, room), speed, evenly), rate=9) until self.speed < 0.2
 
 behavior StopAtLine(points, lane, speed, rate=3):
     """Come to a stand at the stop line of a lane, braking at `rate` m/s2."""
@@ -996,17 +1005,22 @@ def to_line(car, lane):
     """How far (m) the front of `car` is from the spot before the stop line of a lane where one stands."""
     return stop_line(lane) - 1 - lane.centerline.lineString.project(shapely.geometry.Point(*car.position[:2])) - car.length / 2
 
-def short_of(car, points, others, speed, rate=3, room=3, anyhow=False):
-    """The speed (m/s), at most `speed` and gained gently, at which `car` comes to a stand `room` m before whoever of the
-    others has not gone by, or is on its way; `anyhow`: or where they were."""
+def rest_to(car, points, others, room):
+    """How far (m) the front of `car` is along its points from `room` m before the nearest of the others, or of the ways
+    by which they cross; infinite where there are none."""
     def half(other):
         across = abs(math.sin(other.heading - car.heading))
         return (other.width * across + other.length * (1 - across)) / 2
-    there = [(other, *along_line(points, other.position)) for other in others]
-    ahead = [metres - half(other) - room for other, metres, aside in there
-             if anyhow or aside < (car.width + other.width) / 2 or not passed(other, car, margin=2.5)]
+    here = along_line(points, car.position)[0] + car.length / 2
+    return min((along_line(points, other.position)[0] - half(other) - room - here for other in others), default=math.inf)
+
+def short_of(car, points, others, speed, rate=3, room=3):
+    """The speed (m/s), at most `speed` and gained gently, at which `car` comes to a stand `room` m before whoever of the
+    others has not gone by, or is on its way."""
+    ahead = [other for other in others if along_line(points, other.position)[1] < (car.width + other.width) / 2
+             or not passed(other, car, margin=2.5)]
     gently = min(speed, car.speed + 2 * simulation().timestep)
-    return up_to(min(ahead) - along_line(points, car.position)[0] - car.length / 2, gently, rate) if ahead else gently
+    return up_to(rest_to(car, points, ahead, room), gently, rate)
 
 def short_of_ways(car, points, others, speed, rate=2.5, room=1):
     """The speed (m/s), at most `speed` and gained gently, at which `car` comes to a stand `room` m before its points lead

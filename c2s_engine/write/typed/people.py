@@ -29,6 +29,10 @@ BEHIND = 0.5
 """s after ego would be there by which somebody is in its way yet."""
 BRAKES = 7.0
 """m/s2 at which ego stops for who comes out in front of it."""
+REACTS = 0.3
+"""s that pass besides before ego brakes for who is on foot."""
+YET = 0.5
+"""s after which it still is a near miss where somebody has just left ego's way."""
 TO_STOP = 0.7
 """s that ego needs for that besides: to see it, to react, and room to spare."""
 SLOWS = 3.0
@@ -107,9 +111,10 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, again
         by = structure[spec.placement.hidden_by].spec if spec.placement.hidden_by else None
         covered = inside(by) if isinstance(by, ObjectSpec) else 0.0
         seen = (way_out(structure, spec, plan.place) - covered) / pace
-        needed = _to_slow(structure, plan) - seen
+        needed = _to_slow(structure, plan) + REACTS - seen
+        needed += (room_left(structure, cid) or 0.0) / max(plan.ego_top, 1.0)
         surprises, stays = by is not None or at_door(structure, spec) or again is not None, stays or again is not None
-        ahead = max(0.0, needed if stays else min(needed, IN_WAY / pace)) if surprises else 0.0
+        ahead = max(0.0, needed if stays else min(needed, IN_WAY / pace + YET)) if surprises else 0.0
         if not stays and room_left(structure, cid) is not None:  # it is there yet as ego stands
             ahead = max(ahead - IN_WAY / pace / 2, -BEHIND)
     else:

@@ -20,8 +20,8 @@ from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.people import BACKS_OUT, PULLS_OUT
 from c2s_engine.write.typed.tables import LANE_WIDTH, MOVES_OFF_ROAD, RAMP
 from c2s_engine.write.typed.threats import every
-from c2s_engine.write.typed.towards import IN_MIDDLE, SHORT, ending, held_for, yields
-from c2s_engine.write.typed.usual import SETS_OUT, reach
+from c2s_engine.write.typed.towards import IN_MIDDLE, ROOM, SHORT, ending, held_for, yields
+from c2s_engine.write.typed.usual import SETS_OUT, crosses, reach
 
 AT_LINE = Trigger(kind="place", place="intersection", value=0)
 """When somebody stops at the stop line of its approach."""
@@ -119,10 +119,14 @@ def _stop(c: Course, p: Phase) -> list[Step]:
     rate = middle(p.rate) if p.rate else (7 if _hard(c) else 3.5)
     drive = c.drive("0", rate)
     first: Step = ([drive], "until self.speed < 0.2")
-    if p.clearance is not None and p.target:
-        them, room = every(c.actor.structure, p.target), scope.number(middle(p.clearance))
-        rest = f"lambda: short_of(self, line, [{them}], {c.speed}, {scope.number(rate)}, {room}, anyhow=True)"
-        return [([c.drive(rest, 9)], "until self.speed < 0.2"), ([c.drive("0", rate)], ending(p, "for 1 seconds"))]
+    whom = p.target or (p.trigger.of if p.trigger else None)
+    crossing = (other := c.other(whom)) is not None and crosses(other)
+    if p.clearance is not None and p.target or crossing and c.actor.is_ego:
+        room = middle(p.clearance) if p.clearance is not None else ROOM
+        late = p.rate or _hard(c) or not crossing
+        more = f", room={scope.number(room)}" + (f", rate={scope.number(rate)}" if late else "")
+        before = f"do StopBefore(line, [{every(c.actor.structure, str(whom))}]{more})"
+        return [([before], ""), ([drive], ending(p, "for 1 seconds"))]
     if p.trigger and (p.trigger == AT_LINE or p.trigger.kind == "light") and (lane := c.actor.to_junction):
         own = "" if rate == 3.5 else f", rate={scope.number(rate - 0.5)}"
         first = ([f"do StopAtLine(line, {lane}, {c.speed}{own})"], "")

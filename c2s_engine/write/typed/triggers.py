@@ -2,7 +2,7 @@
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import ObjectSpec, Phase
+from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import ahead, lateral, scope, traffic
 from c2s_engine.write.typed.collisions import hit_beside, hit_next, slows_too_late
 from c2s_engine.write.typed.course import Actor, Course
@@ -77,6 +77,10 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     """The trigger of a phase that names none: what ego is forced to waits for the need, a cut-in for its gap."""
     a = course.actor
     before = a.spec.phases[: a.spec.phases.index(phase)] if phase in a.spec.phases else ()
+    other = course.other(phase.target)
+    if a.is_ego and phase.action == "stop" and phase.trigger is None and other is not None and crosses(other):
+        seen = Trigger(kind="action", of=phase.target, action="cross_road")
+        return f"until {watched(a.structure, a.plan, seen, a.cid)}"
     said = phase.trigger is not None or phase.action == "stop" and phase.clearance is not None
     if said or before and before[-1].action == "collide" or held_for(course, phase):
         return ""

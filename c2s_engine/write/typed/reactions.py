@@ -66,7 +66,9 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     strikers = [] if hit else _strikers(actor.structure, cids)
     if hit or strikers and (spec.react_to in strikers or len(strikers) == len(cids)):  # it brakes, but too late
         return _too_late(actor, statements, cids, hit, spec.hard)
-    cids = [c for c in cids if c not in strikers]
+    cids = [c for c in cids if c not in strikers and not _stays_behind(actor.structure, c)]
+    if not cids:
+        return statements
     named = spec.react_to is not None and spec.react_to in actor.structure
     threats = once_seen(actor.structure, [spec.react_to] if spec.react_to and named else cids)
     forced = {p.action for p in spec.phases if p.trigger is None}
@@ -119,10 +121,19 @@ def _position(structure: Structure, cid: str) -> str:
     return spec.placement.position if isinstance(spec, ObjectSpec) else ""
 
 
+def _stays_behind(structure: Structure, cid: str) -> bool:
+    """Whether an object is behind ego and does nothing that brings it past."""
+    spec = structure[cid].spec
+    behind = isinstance(spec, ObjectSpec) and (spec.placement.position, spec.placement.of) == ("behind", "ego")
+    return behind and {p.action for p in spec.phases} <= {"follow", "keep_lane", "brake", "stop"}  # type: ignore
+
+
 def _ends_standing(structure: Structure) -> bool:
-    """Whether the run ends as ego stands."""
+    """Whether the run ends as ego stands, or one behind it is to stop for it."""
     ends = getattr(structure.restrictions.spec, "terminate_when", ())
-    return any(c.kind == "stopped" and c.subject == "ego" for c in ends)
+    behind = (c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec) and _stays_behind(structure, c.id))
+    stops = any(p.action == "stop" and p.target in (None, "ego") for spec in behind for p in spec.phases)
+    return stops or any(c.kind == "stopped" and c.subject == "ego" for c in ends)
 
 
 def _slows(structure: Structure, cid: str | None) -> bool:

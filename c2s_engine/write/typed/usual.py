@@ -151,7 +151,7 @@ def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
         pulls_out = position == "behind" and first != "follow" and any(p.action == "overtake" for p in o.phases)
         return max(
             12.0,
-            1.2 * ego_speed,
+            ROOM_BEHIND + 1.5 * ego_speed if first == "follow" else 1.2 * ego_speed,  # as it then keeps it
             own**2 / 8 if brakes else 0.0,
             (TO_COME_UP if o.type in SIREN else TO_PULL_OUT) * closing + ROOM_BEHIND if pulls_out else 0.0,
         )

@@ -30,12 +30,24 @@ def required(scene: Scene) -> Iterator[Requirement]:
     met = tuple(a for a in across if a not in hits and _answered(scene, a))
     if met and scene.recognised(EGO):
         names = " and ".join(scene.named(a) for a in met)
-        yield scene.make("place", "stands_before", EGO, "stands_before", f"Where ego comes to a stand for {names}, that "
-                         "is close before the crosswalk, or their way.", others=met)  # fmt: skip
+        yield scene.make("place", "stands_before", EGO, "stands_before", f"Where ego comes to a stand for {names}, "
+                         "it is close before the crosswalk, or their way.", others=met)  # fmt: skip
+    for actor in across:
+        if (before := _after(scene, actor)) is not None:
+            text = f"{scene.named(actor)} comes into ego's lane after {scene.named(before)}."
+            yield scene.make("order", "comes_after", actor, "comes_after", text, other=before)
     for actor in across if scene.place.crosswalk or scene.place.kind == "crosswalk" else ():
         placement, name = scene.objects[actor].placement, scene.named(actor)
         if placement.gap is None and scene.objects[actor].type in ("pedestrian", "child"):
             yield scene.make("place", "on_crosswalk", actor, "on_crosswalk", f"{name} crosses on the crosswalk.")
+
+
+def _after(scene: Scene, actor: str) -> str | None:
+    """The one that somebody crosses after, as is said; None: nobody is."""
+    first = next((p.trigger for p in scene.objects[actor].phases if p.action == "cross_road"), None)
+    of = first.of if first is not None and first.kind == "action" and first.action == "cross_road" else None
+    spec = scene.objects.get(of or "")
+    return of if spec is not None and crosses(spec) and of != actor else None
 
 
 def _answered(scene: Scene, actor: str) -> bool:
@@ -65,12 +77,14 @@ def stands_before(requirement: Requirement, evidence: Evidence) -> Result:
     for first, last in stretches((ego.speed < STANDING) & (ego.time > 0.5)):
         if (last - first) * ego.step < limits["stands"]["value"] or _queues(ego, evidence, first, walking):
             continue
-        away = [_away(ego, m, float(front[first])) for m in walking if _due(m, float(ego.time[first]), limits)]
-        away = [a for a in away if a > -ego.size[0]]
+        time = float(ego.time[first])
+        due = [m for m in walking if _due(m, time, limits)]
+        due = [m for m in due if way_across(m)[1] > time] or sorted(due, key=lambda m: way_across(m)[1])[-1:]
+        away = [a for m in due if (a := _away(ego, m, float(front[first]))) > -ego.size[0]]
         if away:
             seen = min(away)
             margin = min((most - seen) / (most - least) * 2, (seen - least) / 0.5)
-            return scored(requirement, margin, said, f"{seen:.1f} m before it", float(ego.time[first]),
+            return scored(requirement, margin, said, f"{seen:.1f} m before it", time,
                           measured=(seen, least, most))  # fmt: skip
     return scored(requirement, 1.0, said, "ego does not stand for them")
 
@@ -109,4 +123,17 @@ def on_crosswalk(requirement: Requirement, evidence: Evidence) -> Result:
     return scored(requirement, 1.0 - max(off) / room, said, f"{max(off):.1f} m beside it" if max(off) else said)
 
 
-CHECKS = {"stands_before": stands_before, "on_crosswalk": on_crosswalk}
+def comes_after(requirement: Requirement, evidence: Evidence) -> Result:
+    """Of two who cross one after the other: the later one is in ego's lane later, too."""
+    said, half = "later", bounds()["start"]["half_lane"]["value"]
+    pair = evidence.motions(requirement.actor), evidence.motions(requirement.other or "")
+    found = [[t for m in each if len(t := m.time[np.abs(m.of_course("ego_aside")) < half])] for each in pair]
+    if not all(found):
+        return unknown(requirement, said, "not reached: one of the two does not come into ego's lane")
+    late, early = (min(float(t[0]) for t in each) for each in found)
+    room = bounds()["order"]["room"]["value"]
+    return scored(requirement, (late - early) / room, said, f"at {late:.1f} s, the other at {early:.1f} s", late,
+                  due=max(early + room - late, 0.0))  # fmt: skip
+
+
+CHECKS = {"comes_after": comes_after, "stands_before": stands_before, "on_crosswalk": on_crosswalk}

@@ -28,6 +28,7 @@ LANE = 3.5
 """m, of most maps' lanes: so far to the side one is beyond the next lane."""
 RIDERS = ("bicycle", "motorcycle")
 """Who is beside another in its lane or at its edge, too."""
+NEXT_LANES = ("left_lane", "right_lane")
 OFF_LANES = ("roadside", "sidewalk", "parked")
 VEHICLES = ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck")
 ACROSS = 0.7
@@ -95,8 +96,12 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
             "front, were neither to react."  # fmt: skip
         yield scene.make("conflict", "arrives", actor, "placement.arrives", text, least=least, most=most)
     if place.hidden_by is not None:
-        text = f"{name} is hidden from ego by {scene.named(place.hidden_by)} at first."
-        yield scene.make("start", "hidden", actor, "placement.hidden_by", text, other=place.hidden_by)
+        hider = scene.objects.get(place.hidden_by)
+        passes = place.position in OFF_LANES and hider is not None and hider.placement.position in NEXT_LANES
+        text = f"{name} is hidden from ego by {scene.named(place.hidden_by)} " \
+            f"{'as it comes from beside the road' if passes else 'at first'}."  # fmt: skip
+        kind, check = ("place", "comes_hidden") if passes else ("start", "hidden")
+        yield scene.make(kind, check, actor, "placement.hidden_by", text, other=place.hidden_by)  # type: ignore[arg-type]
     if place.facing in ("along", "against") and spec.type not in ("pedestrian", "child", "animal"):
         yield scene.make("start", "facing", actor, "placement.facing", f"{name} faces {place.facing} the road.",
                          against=place.facing == "against")  # fmt: skip
@@ -194,6 +199,19 @@ def hidden(requirement: Requirement, evidence: Evidence) -> Result:
     return decided(requirement, seen == "hidden", "hidden at first", seen, 0.0)
 
 
+def comes_hidden(requirement: Requirement, evidence: Evidence) -> Result:
+    """Of who comes over the lane in which another stands: not seen just before it is in ego's."""
+    motion, said = evidence.motion(requirement.actor), "hidden as it comes"
+    half = bounds()["start"]["half_lane"]["value"]
+    there = np.flatnonzero(np.abs(motion.of_course("ego_aside")) < half) if motion else ()
+    if motion is None or not len(there):
+        return unknown(requirement, said, "not reached: it does not come into ego's lane")
+    came = float(motion.time[there[0]])
+    times = np.arange(max(0.0, came - bounds()["start"]["comes"]["value"]), came, motion.step)
+    shown = [next((s for t, s in reversed(motion.course.sight) if t <= time), True) for time in times]
+    return decided(requirement, not all(shown), said, "in sight" if all(shown) else said, came)
+
+
 def lateral(requirement: Requirement, evidence: Evidence) -> Result:
     one, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
     ego = evidence.motion(EGO)
@@ -271,4 +289,5 @@ def facing(requirement: Requirement, evidence: Evidence) -> Result:
 CHECKS = {"start_lane": start_lane, "start_along": start_along, "start_side": start_side, "start_gap": start_gap,
           "lateral": lateral, "lanes_over": lanes_over, "arrives": arrives,
           "off_lanes": off_lanes, "partly_in": partly_in, "hidden": hidden,
+          "comes_hidden": comes_hidden,
           "facing": facing}  # fmt: skip

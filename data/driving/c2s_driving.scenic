@@ -1001,6 +1001,18 @@ def _stop_line(lane):
 
 stop_line = distributionFunction(_stop_line)
 
+def _crosswalk_of(lane):
+    """How far along a lane (m) the middle of the crosswalk at its end lies."""
+    return _stop_line(lane) + 3
+
+crosswalk_of = distributionFunction(_crosswalk_of)
+
+def _far_edge(lane):
+    """The edge of the road to the left of a lane: beyond the lanes of the other direction, where there are any."""
+    return lane.group._opposite.rightEdge if lane.group._opposite else lane.group.leftEdge
+
+far_edge = distributionFunction(_far_edge)
+
 def to_line(car, lane):
     """How far (m) the front of `car` is from the spot before the stop line of a lane where one stands."""
     return stop_line(lane) - 1 - lane.centerline.lineString.project(shapely.geometry.Point(*car.position[:2])) - car.length / 2

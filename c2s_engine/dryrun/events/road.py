@@ -8,6 +8,8 @@ from c2s_engine.dryrun.events.situation import NOWHERE, Seen, Situation
 from c2s_engine.structure.facts import RoadFacts
 
 AHEAD = 100.0
+IN_FRONT = 6.0
+"""m ahead of where ego comes to in the end that are on its path, however far that is: what it stands on."""
 NEAR_LIGHT = 30.0
 BESIDE = 10.0
 """m: what is so near to the path is on or beside it."""
@@ -30,18 +32,17 @@ class EgoPath:
         driven = [lane for lane, _, _ in ego.runs if lane != NOWHERE] or [start]
         last = index.lanes[driven[-1]]
         s = last.project(ego.x[-1], ego.y[-1])[0]
-        rest = max(0.0, AHEAD - float(ego.travelled[-1]))
-        onward = index.path(driven[-1], max(rest, 1.0), start=s)
-        self.lanes = list(dict.fromkeys(driven + (onward[1:] if rest > 0 else [])))
+        rest = max(IN_FRONT, AHEAD - float(ego.travelled[-1]))
+        onward = index.path(driven[-1], rest, start=s)
+        self.lanes = list(dict.fromkeys(driven + onward[1:]))
         points = ego.xy[np.concatenate([[True], np.diff(ego.travelled) > 1e-3])]
-        if rest > 0:
-            line = index.line(onward)
-            step = np.hypot(*np.diff(line, axis=0).T)
-            along = np.concatenate([[0.0], np.cumsum(step)])
-            ss = np.append(np.arange(s + 1.0, min(s + rest, along[-1]), 1.0), min(s + rest, along[-1]))
-            points = np.concatenate(
-                [points, np.column_stack([np.interp(ss, along, line[:, 0]), np.interp(ss, along, line[:, 1])])]
-            )
+        line = index.line(onward)
+        step = np.hypot(*np.diff(line, axis=0).T)
+        along = np.concatenate([[0.0], np.cumsum(step)])
+        ss = np.append(np.arange(s + 1.0, min(s + rest, along[-1]), 1.0), min(s + rest, along[-1]))
+        points = np.concatenate(
+            [points, np.column_stack([np.interp(ss, along, line[:, 0]), np.interp(ss, along, line[:, 1])])]
+        )
         self.points = points if len(points) > 1 else np.concatenate([points, points + 0.1])
         self.line = shapely.LineString(self.points)
 

@@ -7,8 +7,8 @@ from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.typed import scope, stations
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.spot import Spot, measured, member, position_constant
-from c2s_engine.write.typed.tables import LENGTH, WIDTH, is_vehicle, is_walker
-from c2s_engine.write.typed.usual import at_corner, uses_crosswalk, walks_first
+from c2s_engine.write.typed.tables import LENGTH, RAMP, WIDTH, is_vehicle, is_walker
+from c2s_engine.write.typed.usual import at_corner, right_behind, uses_crosswalk, walks_first
 
 
 def behind_junction(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
@@ -24,8 +24,14 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
     """At the kerb, on the verge or on the sidewalk along ego's lane."""
     sign, of = stations.along(spec), spec.placement.of
     at = position_constant(structure, cid)
-    if plan.place.kind == "crosswalk" and uses_crosswalk(spec):
-        line = f"{at} = EGO_AT + EGO_TO_CROSSWALK"
+    if (uses_crosswalk(spec) or right_behind(spec)) and (marked := _crosswalk(plan)):
+        beside = stations.next_to(structure, cid)
+        line = f"{at} = {marked}" + (f" {'+' if beside > 0 else '-'} {abs(beside)}" if beside else "")
+    elif right_behind(spec):  # of what stands in the next lane
+        by = structure[spec.placement.hidden_by or "ego"].spec
+        assert isinstance(by, ObjectSpec)
+        beyond = (LENGTH[by.type] + LENGTH[spec.type]) / 2 + stations.RIGHT_BEHIND
+        line = f"{at} = {position_constant(structure, spec.placement.hidden_by or 'ego')} + {scope.number(beyond)}"
     elif at_corner(spec, plan.place):
         return _corner(spec, at, plan)
     elif sign == 0 and stations.stands_there(structure, of):  # just in front of what takes the spot itself
@@ -38,13 +44,20 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
     else:
         line = measured(structure, cid, spec, plan, sign)
     along = member(spec, at, sign or 1)
-    spot = _edge(spec, line, along, "place.lane", plan)
+    spot = _edge(spec, line, along, "place.lane", plan, stations.set_back(structure, cid, plan))
     if spec.placement.lateral is None or of != "ego":
         return spot
     left, room = spec.placement.side == "left", stations.from_lane(structure, spec)
     sideways = scope.number(-room if left else room)
     where = f"at beside(place.lane.centerline, place.lane, {along}, {sideways})"
     return replace(spot, specifiers=(where, *spot.specifiers[1:]))
+
+
+def _crosswalk(plan: Plan) -> str:
+    """Where along ego's lane the crosswalk lies; "": there is none."""
+    if plan.place.kind == "crosswalk":
+        return "EGO_AT + EGO_TO_CROSSWALK"
+    return "crosswalk_of(place.lane)" if plan.place.kind == "intersection" and plan.place.crosswalk else ""
 
 
 def _corner(spec: ObjectSpec, at: str, plan: Plan) -> Spot:
@@ -67,14 +80,17 @@ def by_door(structure: Structure, spec: ObjectSpec) -> Spot:
     return Spot((), (where, facing, "with regionContainedIn everywhere"), "straight_on(self)", off_road=True)
 
 
-def _edge(spec: ObjectSpec, constant: str, along: str, lane: str, plan: Plan) -> Spot:
-    """Beside the road: outwards from the edge of the lanes, next to where one is so far `along` the lane."""
+def _edge(spec: ObjectSpec, constant: str, along: str, lane: str, plan: Plan, back: float = 0.0) -> Spot:
+    """Beside the road: outwards from the edge of the lanes, next to where one is so far `along` the lane, and
+    so far `back` from there."""
     left = spec.placement.side == "left"
     two_way = stations.two_way(plan)
     outermost = lane == "place.lane" and plan.place.ego_lane == "rightmost"
     right = f"{lane}.rightEdge" if outermost else f"{lane}.group.rightEdge"
-    edge = right if not left else f"{lane}.group.opposite.rightEdge" if two_way else f"{lane}.group.leftEdge"
-    out = stations.outwards(spec)
+    one_way = plan.place.kind in {"motorway", *RAMP}
+    far = f"{lane}.group.opposite.rightEdge" if two_way else f"far_edge({lane})"
+    edge = right if not left else f"{lane}.group.leftEdge" if one_way else far
+    out = round(stations.outwards(spec) + back, 1)
     offset = scope.number(-out if left else out)
     specifiers = (
         f"at beside({edge}, {lane}, {along}, {offset})",

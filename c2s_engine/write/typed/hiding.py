@@ -4,6 +4,7 @@ from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed import scope, stations
+from c2s_engine.write.typed.beside import beside_road
 from c2s_engine.write.typed.course import EDGE, HALF_LANE
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.spot import Spot, member
@@ -25,10 +26,12 @@ OUT = 0.15
 FACES_EGO = {"oncoming_lane", "opposite_approach"}
 
 
-def hidden(structure: Structure, spec: ObjectSpec, plan: Plan) -> Spot:
+def hidden(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
     """Right behind what hides it, as ego sees it: at its front, or at the tail of what faces ego; one who crosses
-    before what stands in a lane is just out of that lane."""
+    before what stands in a lane is just out of that lane, or beside the road where that is the next lane."""
     by = spec.placement.hidden_by or "ego"
+    if crosses(spec) and _spec(structure, by).placement.position in ("left_lane", "right_lane"):
+        return beside_road(structure, cid, spec, plan)
     hider = scope.reference(structure, by).replace("[0]", "[-1]")  # of a row the last
     left, front = spec.placement.side == "left", not faces_ego(structure, by)
     gap = scope.number(RIGHT_BEHIND)
@@ -37,13 +40,19 @@ def hidden(structure: Structure, spec: ObjectSpec, plan: Plan) -> Spot:
         beyond = member(spec, f"{hider}.length / 2 + {scope.number(RIGHT_BEHIND + LENGTH[spec.type] / 2)}")
         sideways = scope.number(-off if left == front else off)
         where = f"at {hider} offset by {sideways} @ {'' if front else '-'}({beyond})"
-    elif deep := WIDTH[_spec(structure, by).type] / 2 - stations.inside(_spec(structure, by)):  # near its face
+    elif deep := _deep(structure, cid, by, plan):  # near its face
         beyond = member(spec, f"{hider}.length / 2 + {scope.number(RIGHT_BEHIND + LENGTH[spec.type] / 2)}")
         sideways = scope.number(deep if left == front else -deep)
         where = f"at {hider} offset by {sideways} @ {'' if front else '-'}({beyond})"
     angle = "-90 deg" if left == front else "90 deg"
     specifiers = (where, f"facing {angle} relative to {hider}", "with regionContainedIn everywhere")
     return Spot((), specifiers, "straight_on(self)", off_road=True)
+
+
+def _deep(structure: Structure, cid: str, by: str, plan: Plan) -> float:
+    """How far (m) from the middle of what hides it, towards the road, one starts."""
+    near = WIDTH[_spec(structure, by).type] / 2 - stations.inside(_spec(structure, by))
+    return round(near - stations.set_back(structure, cid, plan), 2)
 
 
 def _spec(structure: Structure, cid: str) -> ObjectSpec:

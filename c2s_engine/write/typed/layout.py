@@ -143,7 +143,7 @@ def _beside(
     structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, draw: Draw, base: float, offset: float
 ) -> _Start:
     left, of = spec.placement.side == "left", spec.placement.of
-    edge = LANE_WIDTH / 2 + stations.outwards(spec)
+    edge = LANE_WIDTH / 2 + stations.outwards(spec) + stations.set_back(structure, cid, plan)
     if spec.placement.lateral is not None and of == "ego":
         edge = stations.from_lane(structure, spec)
         return _Start("road", base + offset, edge if left else -edge, base + offset)
@@ -152,7 +152,7 @@ def _beside(
         y = LANE_WIDTH * (max(plan.offsets) + stations.two_way(plan)) + edge
     at = base + offset
     if plan.place.kind == "crosswalk" and uses_crosswalk(spec):
-        at = draw("ego", plan.distance or 0.0)
+        at = draw("ego", plan.distance or 0.0) + stations.next_to(structure, cid)
     elif at_corner(spec, plan.place):
         at = draw("ego", plan.distance or 0.0) - stations.CORNER - LENGTH[spec.type] / 2
     elif not offset and stations.stands_there(structure, of):

@@ -30,7 +30,7 @@ def place_object(structure: Structure, cid: str, plan: Plan) -> Spot:
     assert isinstance(spec, ObjectSpec)
     position = spec.placement.position
     if right_behind(spec):
-        return hidden(structure, spec, plan)
+        return hidden(structure, cid, spec, plan)
     if stations.at_door(structure, spec):
         return by_door(structure, spec)
     if stations.in_line(structure, spec, plan):

@@ -14,7 +14,15 @@ from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.pockets import pocketed
 from c2s_engine.write.typed.reach import reached
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, is_vehicle
-from c2s_engine.write.typed.usual import at_corner, crosses, default_gap, right_behind, row_length, speed_of
+from c2s_engine.write.typed.usual import (
+    at_corner,
+    crosses,
+    default_gap,
+    right_behind,
+    row_length,
+    speed_of,
+    uses_crosswalk,
+)
 
 _ROW = {"partly_in_lane": "ahead", "roadside": "kerb", "sidewalk": "kerb", "parked": "kerb"}
 ROOM = 3.0
@@ -74,7 +82,8 @@ def _rows(structure: Structure) -> Structure:
         if spec.placement.gap is not None:
             row.append((low(spec.placement.gap), high(spec.placement.gap) + size))
             continue
-        if spec.placement.position in APPROACH_ANGLE or at_corner(spec, place):  # type: ignore[arg-type]
+        by_marking = place.kind == "crosswalk" and uses_crosswalk(spec)  # type: ignore[union-attr]
+        if spec.placement.position in APPROACH_ANGLE or by_marking or at_corner(spec, place):  # type: ignore[arg-type]
             continue
         start = default_gap(_followed(structure, spec), speed, place)  # type: ignore[arg-type]
         gap = start + _between(component.id, structure, speed)

@@ -27,6 +27,7 @@ from c2s_engine.write.typed.usual import (
     right_behind,
     row_step,
     speed_of,
+    uses_crosswalk,
 )
 
 OWN_PLACE = {*APPROACH_ANGLE, "oncoming_lane", "on_ramp", "intersection_exit", *MOVES_OFF_ROAD}
@@ -37,6 +38,12 @@ BEFORE_JUNCTION = 5.0
 """m before a junction where those cross who cross at its crosswalk."""
 LONGEST_APPROACH = 130.0
 """m before a junction from which somebody comes who meets ego there."""
+BESIDE = {"sidewalk": 3.0, "parked": 1.6}
+"""m from the road's edge, else 1.5."""
+SET_BACK = 6.0
+"""m by which somebody starts further from the road at most, so as to come when S says."""
+AFTER = 0.5
+"""s by which one crosses later than whom they wait for."""
 SEEN_RUNNING = 1.8
 """s before it is in ego's way for which an animal is seen that comes running."""
 SEEN_WALKING = 3.0
@@ -63,6 +70,43 @@ def along(spec: ObjectSpec) -> int:
     if stated and position not in ("ahead", "behind"):
         return {"ahead": 1, "abreast": 0, "behind": -1}[stated]
     return {"behind": -1, "beside": 0}.get(position, 1)
+
+
+def set_back(structure: Structure, cid: str, plan: Plan) -> float:
+    """How much further from the road (m) somebody on foot starts who sets out when S says, so as to cross after the one
+    that they wait for, or as ego comes: as far as what hides them lets them be hidden."""
+    spec = structure[cid].spec
+    first = spec.phases[0] if isinstance(spec, ObjectSpec) and spec.phases else None
+    if first is None or first.trigger is None or not is_walker(spec.type) or not crosses(spec):  # type: ignore
+        return 0.0
+    assert isinstance(spec, ObjectSpec)
+    t, pace = first.trigger, max(middle(pace_of(spec)), 0.5)
+    other = structure[t.of].spec if t.of and t.of in structure else None
+    own, far = _to_middle(structure, spec, plan), SET_BACK
+    by = structure[spec.placement.hidden_by].spec if spec.placement.hidden_by else None
+    if isinstance(by, ObjectSpec):
+        far = max(WIDTH[by.type] - inside(by), 0.0)
+    if t.kind == "action" and isinstance(other, ObjectSpec) and is_walker(other.type) and crosses(other):
+        before = _to_middle(structure, other, plan) + set_back(structure, str(t.of), plan)
+        due = before / max(middle(pace_of(other)), 0.5) + AFTER - middle(t.delay or 0.0)
+    elif t.kind == "distance" and t.value is not None and t.subject in (None, "ego") and plan.ego_speed > 0:
+        beyond = from_hider(structure, cid) + LENGTH[by.type] / 2 if isinstance(by, ObjectSpec) else 0.0
+        due = (middle(t.value) + beyond) / plan.ego_speed
+    else:
+        return 0.0
+    return round(min(max(due * pace - own, 0.0), far), 1)
+
+
+def _to_middle(structure: Structure, spec: ObjectSpec, plan: Plan) -> float:
+    """From where somebody starts who crosses to the middle of ego's way, m."""
+    return way_out(structure, spec, plan.place) + outwards(spec) - BESIDE.get(spec.placement.position, 1.5)
+
+
+def next_to(structure: Structure, cid: str) -> int:
+    """How far (m) along the road from the middle of the crosswalk somebody starts who uses it: several side by side."""
+    there = [c.id for c in structure.objects if isinstance(c.spec, ObjectSpec) and uses_crosswalk(c.spec)]
+    k = there.index(cid) if cid in there else 0
+    return (k + 1) // 2 * (1 if k % 2 else -1)
 
 
 def gap(spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
@@ -215,7 +259,7 @@ def near_exit(spec: ObjectSpec) -> bool:
 
 def outwards(spec: ObjectSpec) -> float:
     """From the road's edge to the middle of what is beside it."""
-    out = {"sidewalk": 3.0, "parked": 1.6}.get(spec.placement.position, 1.5)
+    out = BESIDE.get(spec.placement.position, 1.5)
     if any(p.action == "cross_road" and p.abandoned for p in spec.phases):  # it walks up to the road
         out = max(out, round(SEEN_WALKING * middle(pace_of(spec)), 1))
     elif spec.type == "animal" and crosses(spec):  # it comes running

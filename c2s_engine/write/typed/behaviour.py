@@ -167,7 +167,8 @@ def _at_the_line(phases: list[Phase], red: bool) -> list[Phase]:
 
 def phases_of(actor: Actor) -> list[Phase]:
     """The phases, with what the place asks of ego (its red light, its stop sign) put first."""
-    phases = [p.model_copy(update={"trigger": AT_LINE}) if _at_stop_line(p) else p for p in actor.spec.phases]
+    first = next((p for p in actor.spec.phases if _at_stop_line(p)), None)  # who sets out again stops beyond it
+    phases = [p.model_copy(update={"trigger": AT_LINE}) if p is first else p for p in actor.spec.phases]
     settings, runs = actor.structure.settings.spec, any(p.action == "run_red" for p in phases)
     if actor.is_ego and not runs and isinstance(settings, SettingsSpec) and settings.light_changes:
         phases = lights.obeyed(phases, settings)

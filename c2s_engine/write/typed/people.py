@@ -112,10 +112,12 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, again
         covered = inside(by) if isinstance(by, ObjectSpec) else 0.0
         seen = (way_out(structure, spec, plan.place) - covered) / pace
         needed = _to_slow(structure, plan) + REACTS - seen
-        needed += (room_left(structure, cid) or 0.0) / max(plan.ego_top, 1.0)
+        room = room_left(structure, cid)
+        needed += (room or 0.0) / max(plan.ego_top, 1.0)
+        gone = IN_WAY / pace + (YET if room is not None else 0.0)
         surprises, stays = by is not None or at_door(structure, spec) or again is not None, stays or again is not None
-        ahead = max(0.0, needed if stays else min(needed, IN_WAY / pace + YET)) if surprises else 0.0
-        if not stays and room_left(structure, cid) is not None:  # it is there yet as ego stands
+        ahead = max(0.0, needed if stays else min(needed, gone)) if surprises else 0.0
+        if not stays and room is not None:  # it is there yet as ego stands
             ahead = max(ahead - IN_WAY / pace / 2, -BEHIND)
     else:
         least, most = (round(IN_WAY / pace + clear, 2) for clear in NEAR_MISS)

@@ -44,7 +44,7 @@ def stated(course: Course, phase: Phase) -> str:
     t = phase.trigger
     assert t is not None
     value = middle(t.value) if t.value is not None else None
-    if t.place == "in_intersection" and held_for(course, phase):  # it comes up to there
+    if t.place in ("in_intersection", "stop_line") and held_for(course, phase):  # it comes up to there
         return ""
     if not watches(t) and t.kind == "place":
         return _before_junction(course, value or 0, phase)

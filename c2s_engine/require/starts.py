@@ -203,7 +203,7 @@ def comes_hidden(requirement: Requirement, evidence: Evidence) -> Result:
     """Of who comes over the lane in which another stands: not seen just before it is in ego's."""
     motion, said = evidence.motion(requirement.actor), "hidden as it comes"
     half = bounds()["start"]["half_lane"]["value"]
-    there = np.flatnonzero(np.abs(motion.of_course("ego_aside")) < half) if motion else ()
+    there = np.flatnonzero(np.abs(motion.of_course("ego_aside")) < half) if motion else np.zeros(0, int)
     if motion is None or not len(there):
         return unknown(requirement, said, "not reached: it does not come into ego's lane")
     came = float(motion.time[there[0]])

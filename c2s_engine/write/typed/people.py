@@ -113,8 +113,9 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, again
         seen = (way_out(structure, spec, plan.place) - covered) / pace
         needed = _to_slow(structure, plan) + REACTS - seen
         room = room_left(structure, cid)
-        needed += (room or 0.0) / max(plan.ego_top, 1.0)
-        gone = IN_WAY / pace + (YET if room is not None else 0.0)
+        said = any(p.clearance is not None for p in getattr(structure.ego.spec, "phases", ()) if p.action == "stop")
+        needed += (room or 0.0) / max(plan.ego_top, 1.0) if said else 0.0
+        gone = IN_WAY / pace + (YET if said else 0.0)
         surprises, stays = by is not None or at_door(structure, spec) or again is not None, stays or again is not None
         ahead = max(0.0, needed if stays else min(needed, gone)) if surprises else 0.0
         if not stays and room is not None:  # it is there yet as ego stands

@@ -90,7 +90,8 @@ def set_back(structure: Structure, cid: str, plan: Plan) -> float:
         before = _to_middle(structure, other, plan) + set_back(structure, str(t.of), plan)
         due = before / max(middle(pace_of(other)), 0.5) + AFTER - middle(t.delay or 0.0)
     elif t.kind == "distance" and t.value is not None and t.subject in (None, "ego") and plan.ego_speed > 0:
-        beyond = from_hider(structure, cid) + LENGTH[by.type] / 2 if isinstance(by, ObjectSpec) else 0.0
+        behind = isinstance(by, ObjectSpec) and t.of == spec.placement.hidden_by
+        beyond = from_hider(structure, cid) + LENGTH[by.type] / 2 if behind else 0.0  # type: ignore[union-attr]
         due = (middle(t.value) + beyond) / plan.ego_speed
     else:
         return 0.0

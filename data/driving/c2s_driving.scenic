@@ -576,7 +576,9 @@ behavior BrakeFor(points, threats, least=1, release=0, stands=None):
     do Drive(points, 0, rate=rate) until self.speed < slow and _force(self, threats) <= enough
 
 behavior EmergencyStop(points, threats, rate=8):
-    """Brake with all that the road holds (m/s2) to a stand, and stay there while they are in the way."""
+    """Brake with all that the road holds (m/s2) to a stand, from `REACTION_TIME` on, and stay there while they are in
+    the way."""
+    do Drive(points, self.speed) for REACTION_TIME seconds
     do Drive(points, 0, rate=rate) until self.speed < 0.2
     do Drive(points, 0) for 1 seconds
     do Drive(points, 0) until _force(self, threats) <= 0 and not blocked(self, _those(threats))

@@ -31,7 +31,13 @@ def calibrate(
     with sentences(as_json):
         server = None if dry else Carla(*server_at(address, "--dry"))
     chosen = [known[name] for name in only or known]
-    rows = work(_work(chosen, server, map_name), as_json)
+    rows: list[dict[str, Any]] = []
+    try:
+        work(_work(chosen, server, map_name, rows), as_json)
+    except typer.Exit:  # what was driven by then is not lost
+        if rows and not as_json:
+            _print(rows, dry)
+        raise
     failed = any("why" in row for row in rows)
     if as_json:
         dump({"ok": not failed, "map": map_name, "carla": None if dry else address, "rows": rows})
@@ -40,12 +46,11 @@ def calibrate(
     raise typer.Exit(REFUSED if failed else OK)
 
 
-async def _work(chosen: list[Manoeuvre], server: Carla | None, map_name: str) -> list[dict[str, Any]]:
+async def _work(chosen: list[Manoeuvre], server: Carla | None, map_name: str, rows: list[dict[str, Any]]) -> None:
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
     from c2s_engine.saving import save
 
-    rows: list[dict[str, Any]] = []
     async with Engine(load_settings()) as engine:
         on = engine.library.find(map_name)
         sides: dict[str, Backend] = {"dry_run": DryRun(engine), **({"carla": server} if server else {})}
@@ -56,7 +61,6 @@ async def _work(chosen: list[Manoeuvre], server: Carla | None, map_name: str) ->
                 at = f"{number}/{len(chosen)} {manoeuvre.name}: {manoeuvre.about}"
                 err.print(Text(at, style="dim"), soft_wrap=True)
                 rows += await compared(manoeuvre, file, sides)
-    return rows
 
 
 async def compared(manoeuvre: Manoeuvre, file: Path, sides: dict[str, Backend]) -> list[dict[str, Any]]:

@@ -6,6 +6,8 @@ import json
 import os
 import re
 import socket
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -99,6 +101,23 @@ def test_a_server_that_obeys_a_tick_late_is_seen_to(server):
 def test_a_server_that_drives_as_the_dry_run_differs_in_nothing(server, monkeypatch):
     monkeypatch.setenv("STANDIN_LAG", "0")
     code, said = calibrate("--address", address(server), *(f"--only={n}" for n in ("turn_left", "follow")))
+    assert code == 0
+    assert {row["measure"]: row["difference"] for row in said["rows"] if abs(row["difference"]) > 0.02} == {}
+
+
+@pytest.mark.full
+@pytest.mark.skipif(not carla._installed(), reason="needs the real client: the extra [carla]")
+def test_the_real_client_and_a_server_on_the_wire():
+    """CARLA's own client package against the stand-in as a server (standin/wire.py)."""
+    port = 20000 + os.getpid() % 10000
+    path = {"PYTHONPATH": os.pathsep.join(map(str, (*STANDIN, HERE.parents[1]))), "STANDIN_LAG": "0"}
+    command = [sys.executable, str(HERE / "standin" / "wire.py"), str(port)]
+    with subprocess.Popen(command, env=os.environ | path, stdout=subprocess.PIPE, text=True) as wire:
+        try:
+            assert wire.stdout.readline() == "ready\n"
+            code, said = calibrate("--address", f"127.0.0.1:{port}", "--only", "turn_left", "--only", "walker_crosses")
+        finally:
+            wire.kill()
     assert code == 0
     assert {row["measure"]: row["difference"] for row in said["rows"] if abs(row["difference"]) > 0.02} == {}
 

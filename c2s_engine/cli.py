@@ -58,6 +58,10 @@ def _mount(wanted: str | None) -> None:
         from c2s_engine.commands.report import report
 
         app.command()(report)
+    if everything or wanted == "calibrate":
+        from c2s_engine.commands.calibrating import calibrate
+
+        app.command()(calibrate)
     if everything or wanted == "mcp":
         from c2s_engine.commands.mcp import mcp
 

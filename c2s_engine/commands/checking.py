@@ -11,7 +11,7 @@ from rich.text import Text
 
 from c2s_engine.check.protocol import CheckReport, Upto
 from c2s_engine.commands import show
-from c2s_engine.commands.console import BAD_INPUT, NO_SERVICE, OK, REFUSED, dump, err, fail, out, sentences, work
+from c2s_engine.commands.console import BAD_INPUT, OK, REFUSED, dump, err, fail, out, sentences, work
 from c2s_engine.commands.reading import read_program, recognised
 from c2s_engine.commands.series import chosen_seeds, series
 from c2s_engine.structure.components import Structure
@@ -121,14 +121,12 @@ def run(
     with sentences(as_json):
         text, chosen = read_program(file), chosen_seeds(seeds, seed)
     if simulator == "carla":
-        from c2s_engine.dryrun.carla import CarlaUnavailable, run_in_carla
+        from c2s_engine.dryrun.carla import run_in_carla
 
-        try:
+        with sentences(as_json):
             raise typer.Exit(
                 run_in_carla(text, file, address=address, seed=seed, seconds=seconds, model=model, scenario=scenario)
             )
-        except CarlaUnavailable as error:
-            fail(str(error), NO_SERVICE, as_json)
     if simulator != "dry":
         fail(f"There is no simulator {simulator}: say dry or carla.", BAD_INPUT, as_json)
     if chosen:

@@ -12,6 +12,7 @@ import typer
 from rich.console import Console
 from rich.text import Text
 
+from c2s_engine.dryrun.carla import CarlaUnavailable
 from c2s_engine.models.errors import ModelError
 from c2s_engine.retrieve.errors import RetrievalError
 
@@ -52,6 +53,8 @@ def sentence(error: Exception) -> tuple[str, int] | None:
         where = f" ({error.filename})" if error.filename else ""
         advice = " Free some space and try again." if error.errno == 28 else ""
         return f"{error.strerror or error}{where}.{advice}", NO_SERVICE
+    if isinstance(error, CarlaUnavailable):
+        return str(error), NO_SERVICE
     ours = type(error).__module__.split(".")[0] in ("c2s_engine", "c2s_bench")
     if ours and isinstance(error, LookupError | ValueError | RuntimeError | ModelError | RetrievalError):
         return str(error), BAD_INPUT

@@ -3,7 +3,6 @@
 `C2S_GOLDEN=1 pytest tests/write/test_golden.py` writes the files anew: look at the difference before committing it.
 """
 
-import os
 from pathlib import Path
 from typing import Any, get_args
 
@@ -13,7 +12,8 @@ import yaml
 from c2s_engine.paths import shipped
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
+from c2s_engine.structure.specs import SPEC_OF, ObjectSpec
+from tests.golden import assert_same
 
 GOLDEN = Path(__file__).parent / "golden"
 CASES = yaml.safe_load((GOLDEN / "cases.yaml").read_text(encoding="utf-8"))
@@ -21,25 +21,18 @@ SHOWS = yaml.safe_load(shipped("vocabulary.yaml").read_text(encoding="utf-8"))["
 
 
 def structure(case: dict[str, Any]) -> Structure:
-    """The structure of a row of cases.yaml."""
-    things = [ObjectSpec.model_validate({"component": "O", **row}) for row in case.get("O", ())]
-    return Structure(
-        place=Component(id="R", spec=PlaceSpec.model_validate(case.get("R", {}))),
-        ego=Component(id="E", spec=EgoSpec.model_validate(case.get("E", {}))),
-        objects=tuple(Component(id=f"O{i + 1}", spec=spec) for i, spec in enumerate(things)),
+    """The structure of a row of cases.yaml, or of any such list: specs of G, R, E, O (a list) and T."""
+    one = {k: Component(id=k, spec=SPEC_OF[k].model_validate(case.get(k, {}))) for k in ("G", "R", "E", "T")}
+    objects = tuple(
+        Component(id=f"O{i}", spec=ObjectSpec.model_validate({"name": f"actor{i}", **row}))
+        for i, row in enumerate(case.get("O", ()), 1)
     )
-
-
-def written(writer, case: dict[str, Any]) -> str:
-    found = structure(case)
-    return "\n".join(writer.write(found, c.id).code for c in found.components)
+    return Structure(settings=one["G"], place=one["R"], ego=one["E"], restrictions=one["T"], objects=objects)
 
 
 def compare(writer, name: str, case: dict[str, Any]) -> None:
-    file, text = GOLDEN / f"{name}.scenic", written(writer, case)
-    if os.environ.get("C2S_GOLDEN"):
-        file.write_text(text, encoding="utf-8")
-    assert text == file.read_text(encoding="utf-8")
+    found = structure(case)
+    assert_same("\n".join(writer.write(found, c.id).code for c in found.components), GOLDEN / f"{name}.scenic")
 
 
 def test_every_action_and_place_has_a_case():

@@ -1,27 +1,40 @@
-"""The field's terms (data/terms.yaml): each is said in S, required, and seen in a run of its scene, or says why not."""
+"""The field's terms (data/terms.yaml): each is said in S, required, written as its golden program, and seen in a run of
+its scene, or says why not.
 
+`C2S_GOLDEN=1 pytest tests/write/test_terms.py` writes the programs anew: look at the difference before committing it.
+"""
+
+import re
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from c2s_engine.require import require
-from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.specs import SPEC_OF, ObjectSpec
-from c2s_engine.write.typed import contradiction, reference
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.program import assemble
+from c2s_engine.structure.regenerate import regenerate
+from c2s_engine.structure.sentences import sentence
+from c2s_engine.write.typed import reference
+from tests.golden import assert_same
+from tests.write.test_golden import structure
 
 TERMS = reference.terms()
 SAID = [row for row in TERMS if "S" in row]
+GOLDEN = Path(__file__).parent / "golden" / "terms"
 PAGE = Path(__file__).parents[2] / "docs" / "TERMS.md"
 
 
-def structure(said: dict[str, Any]) -> Structure:
-    one = {k: Component(id=k, spec=SPEC_OF[k].model_validate(said.get(k, {}))) for k in ("G", "R", "E", "T")}
-    objects = tuple(
-        Component(id=f"O{i}", spec=ObjectSpec.model_validate({"name": f"actor{i}", **row}))
-        for i, row in enumerate(said.get("O", ()), 1)
-    )
-    return Structure(settings=one["G"], place=one["R"], ego=one["E"], restrictions=one["T"], objects=objects)
+def program(writer: Any, made: Structure) -> str:
+    """The program as the writer makes it, with each component's sentence, before anything is searched for."""
+    told = [c.model_copy(update={"description": sentence(c, made)}) for c in made.components]
+    for component in told:
+        made = made.with_component(component)
+    return assemble(regenerate(made, [], writer)[0]).text
+
+
+def file_of(row: dict[str, Any]) -> Path:
+    return GOLDEN / f"{'_'.join(re.findall(r'[a-z0-9]+', row['term'].lower()))}.scenic"
 
 
 def test_the_page_is_up_to_date():
@@ -35,10 +48,14 @@ def test_every_term_is_said_or_says_why_not():
 
 
 @pytest.mark.parametrize("row", SAID, ids=lambda row: row["term"])
-def test_what_it_must_show_is_required_and_nothing_contradicts(row):
+def test_it_is_required_and_written_as_its_golden_program(writer, row):
     made = structure(row["S"])
-    assert contradiction(made) is None
     assert set(row["holds"]) <= {r.id for r in require(made)}
+    assert_same(program(writer, made), file_of(row))
+
+
+def test_each_golden_program_is_a_term_s():
+    assert sorted(GOLDEN.iterdir()) == sorted(file_of(row) for row in SAID)
 
 
 async def shown(engine: Any, row: dict[str, Any]) -> list[str]:

@@ -20,6 +20,7 @@ from c2s_engine.write.prompted.checking import with_code
 from c2s_engine.write.prompted.configuration import configuration, names
 from c2s_engine.write.prompted.header import Ground, settings_text
 from c2s_engine.write.prompted.prompt import generator_question
+from tests.golden import assert_same
 from tests.write_prompted.programmer import EXAMPLE
 
 TYPED = "typed"
@@ -73,17 +74,13 @@ def test_the_prompts_are_as_they_were(name):
     text = "\n\n".join(f"======== {cid} ========\n{prompt}" for cid, prompt in told.items()) + "\n"
     lengths = {cid: approximate_tokens(prompt) for cid, prompt in told.items()}
     path, table = GOLDEN / f"{name}.txt", GOLDEN / "tokens.yaml"
+    assert_same(text, path)
     if os.environ.get("C2S_GOLDEN"):
-        GOLDEN.mkdir(exist_ok=True)
-        path.write_text(text, encoding="utf-8")
         known = yaml.safe_load(table.read_text()) if table.exists() else {}
         known = {n: {**known, name: lengths}.get(n) for n in (*names(), TYPED) if n in known or n == name}
         table.write_text(
             "# Tokens of each prompt, at four characters a token.\n" + yaml.safe_dump(known, sort_keys=False)
         )
-    assert text == path.read_text(encoding="utf-8"), (
-        f"the prompts of {name} changed; if that is meant, set C2S_GOLDEN=1"
-    )
     assert yaml.safe_load(table.read_text())[name] == lengths
 
 

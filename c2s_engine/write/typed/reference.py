@@ -89,7 +89,7 @@ def terms_page() -> str:
         "# How terms are said in S",
         "Generated from data/terms.yaml: `python -m c2s_engine.write.typed.reference terms`. A term is said by "
         "composition of what docs/VOCABULARY.md has; a run of each that is said is a test (tests/write/test_terms.py), "
-        "in which its requirements hold.",
+        "in which its requirements hold, and its program is in tests/write/golden/terms.",
     ]
     for part in dict.fromkeys(row["in"] for row in terms()):
         rows = [row for row in terms() if row["in"] == part]

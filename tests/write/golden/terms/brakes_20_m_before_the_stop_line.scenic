@@ -1,0 +1,29 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: An intersection, where ego goes straight on.
+place = Uniform(*junctions(STRAIGHT, approach=65))
+EGO_TO_JUNCTION = 40  # m
+EGO_AT = place.length - EGO_TO_JUNCTION
+
+## E: Ego, a car, drives at 36 km/h; it brakes when it is 20 m before the stop line.
+EGO_SPEED = 10  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane, place.turn)
+    take SetSpeedAction(EGO_SPEED)
+    do Drive(line, EGO_SPEED) until to_line(self, place.lane) < 20.3
+    do Drive(line, 5, rate=3)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## T: No restriction beyond the scene itself.
+terminate after 20 seconds

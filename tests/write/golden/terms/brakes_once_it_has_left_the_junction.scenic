@@ -1,0 +1,30 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: An intersection, where ego turns left.
+place = Uniform(*junctions(LEFT_TURN, approach=60))
+EGO_TO_JUNCTION = 35  # m
+EGO_AT = place.length - EGO_TO_JUNCTION
+
+## E: Ego, a car, drives at 29 km/h; it turns left, then brakes when it is past the intersection.
+EGO_SPEED = 8  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane, place.turn)
+    take SetSpeedAction(EGO_SPEED)
+    do Drive(line, EGO_SPEED) until self._intersection
+    do Drive(line, EGO_SPEED) until has_crossed(self)
+    do Drive(line, 4, rate=3)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## T: No restriction beyond the scene itself.
+terminate after 20 seconds

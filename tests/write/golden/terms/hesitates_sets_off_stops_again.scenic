@@ -1,0 +1,30 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: A straight road.
+place = Uniform(*stretches(straight=True, length=225))
+EGO_AT = Range(25, 45)  # m along its lane
+
+## E: Ego, a car, stands at first; it moves off, then stops, then waits, then moves off.
+EGO_SPEED = 0  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane)
+    do Drive(line, 3, rate=2) until self.speed > 2.5
+    do Drive(line, 0, rate=3.5) until self.speed < 0.2
+    do Drive(line, 0, rate=3.5) for 1 seconds
+    do Drive(line, 0, rate=4) for 2 seconds
+    do Drive(line, 8, rate=2)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## T: No restriction beyond the scene itself.
+terminate after 20 seconds

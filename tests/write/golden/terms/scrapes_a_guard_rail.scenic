@@ -1,0 +1,40 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: A motorway.
+place = Uniform(*motorways(length=525, least=140, ego_lane='rightmost', speed=22.5))
+EGO_AT = Range(25, 45)  # m along its lane
+
+## E: Ego, a car, drives at 79 km/h; it leaves the road to the right, then hits the actor1.
+EGO_SPEED = 22  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane)
+    take SetSpeedAction(EGO_SPEED)
+    do Drive(line, EGO_SPEED) until (distance from self to actor1) < 15 + 1.5 * self.speed
+    do Ram(actor1, EGO_SPEED) until touch(self, actor1)
+    do Drive(line, EGO_SPEED) until touch(self, actor1)
+    do Drive(line, 0, rate=6)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+
+## O1: A guard rail at the right roadside, 80 m away.
+ACTOR1_AT = EGO_AT + 80 + 8.6  # m along the lane
+actor1 = new Barrier at beside(place.lane.rightEdge, place.lane, ACTOR1_AT, 2.4),
+    facing heading_at(place.lane, ACTOR1_AT),
+    with regionContainedIn everywhere,
+    with blueprint 'static.prop.streetbarrier',
+    with rolename 'guard_rail',
+    with length 12,
+    with width 0.4,
+    with height 0.8
+
+## T: No restriction beyond the scene itself.
+terminate after 20 seconds

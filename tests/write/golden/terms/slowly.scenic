@@ -1,0 +1,27 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: A road.
+place = Uniform(*stretches(length=225))
+EGO_AT = Range(25, 45)  # m along its lane
+
+## E: Ego, a car, drives slowly.
+EGO_SPEED = Range(5.6, 8.3)  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane)
+    take SetSpeedAction(EGO_SPEED)
+    do Drive(line, EGO_SPEED)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## T: No restriction beyond the scene itself.
+terminate after 20 seconds

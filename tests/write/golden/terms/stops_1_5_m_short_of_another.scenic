@@ -1,0 +1,39 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: A straight road.
+place = Uniform(*stretches(straight=True, length=275, least=114))
+EGO_AT = Range(25, 45)  # m along its lane
+
+## E: Ego, a car, drives at 36 km/h; it stops with 1.5 m to the actor1.
+EGO_SPEED = 10  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane)
+    take SetSpeedAction(EGO_SPEED)
+    do Drive(line, lambda: short_of(self, line, [actor1], EGO_SPEED, 3.5, 1.5, anyhow=True), rate=9) until self.speed < 0.2
+    do Drive(line, 0, rate=3.5)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## O1: A van ahead of ego in the same lane, 60 m away.
+ACTOR1_AT = EGO_AT + 60 + 5.55  # m along the lane
+
+behavior Actor1Behavior():
+    line = way(place.lane)
+    do Drive(line, 0)
+
+actor1 = new Van at place.lane.centerline.pointAlongBy(ACTOR1_AT),
+    with blueprint 'vehicle.mercedes.sprinter',
+    with behavior Actor1Behavior()
+
+## T: No restriction beyond the scene itself.
+terminate after 20 seconds

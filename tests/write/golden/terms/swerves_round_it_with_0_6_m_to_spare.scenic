@@ -1,0 +1,36 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: A straight road.
+place = Uniform(*stretches(straight=True, length=225, least=108))
+EGO_AT = Range(25, 45)  # m along its lane
+
+## E: Ego, a car, drives at 29 km/h; it swerves with 0.6 m to the actor1.
+EGO_SPEED = 8  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane)
+    take SetSpeedAction(EGO_SPEED)
+    do Drive(line, EGO_SPEED) until need(self, actor1) > 2
+    do Drive(line, 5.6, rate=4, offset=lambda: way_round(self, line, [actor1], room=0.6), shift=2.5) until lead_on(actor1, self) < -self.length
+    do Drive(line, EGO_SPEED)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## O1: A box ahead of ego in the same lane, 60 m away.
+ACTOR1_AT = EGO_AT + 60 + 3  # m along the lane
+actor1 = new Box at place.lane.centerline.pointAlongBy(ACTOR1_AT),
+    with blueprint Uniform(*BOXES),
+    with regionContainedIn everywhere,
+    facing roadDirection
+
+## T: No restriction beyond the scene itself.
+terminate after 20 seconds

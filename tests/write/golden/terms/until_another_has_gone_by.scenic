@@ -1,0 +1,34 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: A straight road, with an oncoming lane beside.
+place = Uniform(*stretches(straight=True, length=325, least=116, oncoming=True, lanes=1))
+EGO_AT = Range(25, 45)  # m along its lane
+
+## E: Ego, a car, stands at first; it stands still until the actor1 has gone by ego.
+EGO_SPEED = 0  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane)
+    do Drive(line, 0, rate=4) until passed(actor1, self, 0)
+    do Drive(line, 8)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## O1: A truck in the oncoming lane, 60 m away, at 43 km/h.
+ACTOR1_SPEED = 12  # m/s
+ACTOR1_AT = EGO_AT + 60 + 6.55  # m along the lane
+actor1 = new Truck at place.oncoming_lane.centerline.pointAlongBy(-(ACTOR1_AT)),
+    with blueprint Uniform(*TRUCKS),
+    with behavior Cruise(way(place.oncoming_lane), ACTOR1_SPEED)
+
+## T: No restriction beyond the scene itself.
+terminate after 20 seconds

@@ -34,7 +34,7 @@ van = new Van at beside(place.lane.rightEdge, place.lane, VAN_AT, 1.6),
 
 ## O2: A child at the right roadside, hidden by the van; it crosses the road.
 KID_SPEED = 2.2  # m/s
-KID_ARRIVES = Range(-0.57, -0.37)  # s after ego in the middle of its way, unhindered
+KID_ARRIVES = Range(-0.72, -0.52)  # s after ego in the middle of its way, unhindered
 
 behavior KidBehavior():
     line = way(place.lane)

@@ -16,7 +16,7 @@ EGO_SPEED = 10  # m/s
 behavior EgoBehavior():
     line = way(place.lane)
     take SetSpeedAction(EGO_SPEED)
-    do Drive(line, lambda: short_of(self, line, [actor1], EGO_SPEED, 3.5, 1.5, anyhow=True), rate=9) until self.speed < 0.2
+    do StopBefore(line, [actor1], room=1.5, rate=3.5)
     do Drive(line, 0, rate=3.5)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),

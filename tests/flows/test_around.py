@@ -1,6 +1,7 @@
 """Around the panes: the row of keys, zoom, room, find, findings, turns and sessions as lists."""
 
 import pytest
+from textual.events import Key
 from textual.widgets import OptionList
 
 from c2s_tui.code.finder import found
@@ -80,6 +81,18 @@ async def test_find_goes_from_place_to_place_and_to_lines(stage):
         await stage.until(pilot, lambda: area.has_focus and not stage.bench.code.finder.has_class("-on"))
         await stage.say(pilot, "/find nowhere to be found", wait=False)
         await stage.until(pilot, lambda: "not found" in str(stage.bench.code.finder.query_one("Static").content))
+
+
+async def test_what_is_typed_after_the_key_of_find_is_what_is_found(stage):
+    async with stage.described() as pilot:
+        code = stage.bench.code
+        await pilot.press("f4")
+        await stage.until(pilot, lambda: code.area.has_focus)
+        before = code.area.text
+        for key in ("ctrl+f", "v", "a", "n"):  # all of it before the app has done any
+            stage.app.post_message(Key(key, key if len(key) == 1 else None))
+        await stage.until(pilot, lambda: code.area.selected_text.lower() == "van")
+        assert code.finder.line.value == "van" and code.area.text == before
 
 
 @pytest.mark.parametrize(

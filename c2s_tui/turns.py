@@ -223,8 +223,12 @@ class Turns(Part):
 
     async def do_run(self, _: str) -> None:
         """Apply hand edits; without any, check and run what stands."""
-        if not self.bench.code.commit() and await self.may_begin():
+        if self.bench.code.commit() or not await self.may_begin():
+            return
+        if self.desk.program.text:
             self.run_again()
+        else:
+            await self.chat.note("There is no program yet: describe a scenario first.", "error")
 
     async def do_regenerate(self, argument: str) -> None:
         if not await self.may_begin():

@@ -16,7 +16,7 @@ from c2s_engine.session.errors import SessionError
 from c2s_engine.session.facade import Turns
 from c2s_engine.session.files import write_whole
 from c2s_engine.session.journal import Drafts, Journal, Pending
-from c2s_engine.session.state import State, edit_words, summary
+from c2s_engine.session.state import State, edit_words, futile, summary
 from c2s_engine.session.store import Row, Store, TurnRow
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
@@ -231,7 +231,7 @@ class Session:
                         said.append(event.text)
                     yield event
             back = finished.details.get("turn") if finished else None
-            if finished and back not in ("undo", "redo"):
+            if finished and back not in ("undo", "redo") and not futile(finished):
                 await asyncio.to_thread(self._commit, turn, finished, tuple(said))
         except sqlite3.Error as error:
             raise SessionError(f"the session cannot be written ({error}): free some space; S is unchanged") from None

@@ -94,6 +94,13 @@ def cleared(structure: Structure, components: Collection[str] = ()) -> Structure
     return structure
 
 
+def futile(finished: Finished) -> bool:
+    """Whether a turn came to nothing: a text that could not be read, a change that was not understood."""
+    unread = any(s.name == "interpret" and not s.ok for s in finished.stages)
+    told = finished.details
+    return unread or bool(told.get("unchanged")) and told.get("turn") in ("edit", "scenario")
+
+
 def summary(before: State, after: State) -> str:
     """In a few words, what a turn changed."""
     old = {c.id: c for c in before.structure.components}

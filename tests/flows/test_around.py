@@ -169,6 +169,11 @@ async def test_sessions_are_renamed_and_deleted(stage):
         await stage.until(pilot, lambda: stage.bench.session.name == "night")
         await stage.say(pilot, "/delete evening", wait=False)
         await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
-        await pilot.press("d")
+        await pilot.press(*"do", "enter")  # what was meant for the chat line deletes nothing
+        await stage.until(pilot, lambda: len(stage.app.screen_stack) == 2)
+        assert {s.name for s in stage.backends[0].sessions.list()} == {"night", "evening"}
+        await stage.say(pilot, "/delete evening", wait=False)
+        await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
+        await pilot.press("down", "enter")
         await stage.until(pilot, lambda: stage.said and stage.said[-1] == "The session evening is deleted.")
         assert [s.name for s in stage.backends[0].sessions.list()] == ["night"]

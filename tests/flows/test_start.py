@@ -147,7 +147,9 @@ async def test_leaving_with_unapplied_edits_asks_once(stage):
         await stage.until(pilot, lambda: stage.app.screen is stage.bench)
         await pilot.press("ctrl+q")
         await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Confirm")
+        status = stage.bench.query_one("#status")
         await pilot.press("q")
+    assert str(status.content) == "closing"
     assert stage.bench.session.draft("code").endswith("# more\n")
 
 

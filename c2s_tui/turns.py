@@ -264,7 +264,7 @@ class Turns(Part):
             self.turn(lambda: self.session.resume(), "resuming")
 
     async def do_cancel(self, _: str) -> None:
-        """Cancel what runs; S is as before the turn, what is typed stays, and what was sent is back in an empty line."""
+        """Cancel what runs; S is as before the turn, what is typed stays, what was sent is back in an empty line."""
         if self.busy:
             self.waiting = ()
             if self.said and not self.chat.entry.text:

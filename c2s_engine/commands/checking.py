@@ -76,9 +76,11 @@ async def _check(text: str, file: Path, upto: Upto, seed: int, trust: bool, **op
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
 
-    places = {"spans": spans(taken(file, text)), "folder": str(file.resolve().parent), "filename": file.name}
+    places: dict[str, Any] = {"spans": spans(taken(file, text)), "folder": str(file.resolve().parent)}
     async with Engine(load_settings()) as engine:
-        return await engine.check(text, upto=upto, seed=seed, trust=trust, **places, **options)
+        return await engine.check(
+            text, upto=upto, seed=seed, trust=trust, filename=file.name, **places, **options
+        )
 
 
 async def _fix(text: str, file: Path, seed: int, trust: bool, **given: Any) -> tuple[str, int]:

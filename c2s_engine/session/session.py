@@ -140,7 +140,7 @@ class Session:
     def apply(self, edits: Edit | Iterable[Edit], **options: Any) -> AsyncIterator[Any]:
         """Edits of S, by hand or from a pane."""
         made = tuple(edits) if isinstance(edits, Iterable) and not hasattr(edits, "kind") else (edits,)
-        said = ", ".join(edit_words(e) for e in made)
+        said = ", ".join(edit_words(e) for e in made)  # type: ignore[arg-type]
         return self._turn(lambda: self._journal.begin("apply", said, made, options=options))  # type: ignore[arg-type]
 
     def regenerate(self, components: Iterable[str] = (), **options: Any) -> AsyncIterator[Any]:

@@ -12,15 +12,22 @@ SAMPLE = "At night in the rain the ego follows a truck on a straight road at 50 
 $(VENV)/bin/python:
 	$(PYTHON) -m venv $(VENV)
 
-$(STAMP): $(VENV)/bin/python pyproject.toml constraints.txt
-	$(BIN)/pip install --quiet --upgrade "pip>=23" "setuptools>=77"
-	$(BIN)/pip install --quiet $(if $(TORCH_INDEX),--index-url $(TORCH_INDEX)) torch==2.13.0
-	$(BIN)/pip install --quiet -c constraints.txt -e .
-	touch $(STAMP)
+# That c2s is installed in place needs no warning
+EDITABLE = PYTHONWARNINGS="ignore:Editable installation" $(BIN)/pip install --quiet -c constraints.txt -e
+
+$(STAMP): $(VENV)/bin/python pyproject.toml setup.py constraints.txt
+	@echo "Setting up $(VENV), once, in three steps. 1: pip and setuptools"
+	@$(BIN)/pip install --quiet --upgrade "pip>=23" "setuptools>=77"
+	@echo "2: torch ($(if $(TORCH_INDEX),from $(TORCH_INDEX),2 to 5 GB; 200 MB with TORCH_INDEX=https://download.pytorch.org/whl/cpu)); this takes minutes"
+	@$(BIN)/pip install --quiet $(if $(TORCH_INDEX),--index-url $(TORCH_INDEX)) torch==2.13.0
+	@echo "3: c2s and the other packages that it needs; this takes minutes"
+	@$(EDITABLE) .
+	@touch $(STAMP)
 
 $(VENV)/.dev: $(STAMP)
-	$(BIN)/pip install --quiet -c constraints.txt -e ".[dev]"
-	touch $(VENV)/.dev
+	@echo "Adding what the tests need"
+	@$(EDITABLE) ".[dev]"
+	@touch $(VENV)/.dev
 
 run: $(STAMP)
 	@if [ -t 0 ] && [ -t 1 ]; then $(BIN)/c2s app; else $(BIN)/c2s generate $(SAMPLE); fi

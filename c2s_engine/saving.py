@@ -3,15 +3,21 @@
 import json
 import re
 import shutil
+from collections.abc import Sequence
 from difflib import SequenceMatcher
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from pydantic import ValidationError
 
 from c2s_engine import driving
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import Edit, Replace, SetProgram
-from c2s_engine.structure.program import Program, assemble
+from c2s_engine.structure.edits import Edit, Replace, SetProgram, apply
+from c2s_engine.structure.program import FragmentSpan, Program, assemble
+from c2s_engine.structure.progress import Finished
+
+if TYPE_CHECKING:
+    from c2s_engine.api import Engine
 
 FORMAT = "c2s structure 1"
 ALIKE = 0.5
@@ -46,7 +52,7 @@ def save(
         ):
             shutil.copyfile(source, copy)
             written.append(copy)
-    if structure is not None and not standalone:
+    if structure is not None:
         side = beside(target)
         kept = json.dumps({"format": FORMAT, "structure": structure.model_dump(mode="json")}, ensure_ascii=False)
         side.write_text(kept + "\n", encoding="utf-8")
@@ -70,6 +76,28 @@ def taken(file: Path, text: str) -> list[Edit]:
     if structure is None:
         return []
     was = assemble(structure).text
-    if SequenceMatcher(None, was.splitlines(), text.splitlines(), autojunk=False).ratio() < ALIKE:
+    if not any(_alike(each, text) for each in (was, driving.inlined(was))):
         return []
     return [Replace(structure=structure), *([SetProgram(text=text)] if text != was else [])]
+
+
+def spans(edits: Sequence[Edit]) -> tuple[FragmentSpan, ...]:
+    """Where the components are in a program that is `taken` by these edits."""
+    structure = Structure()
+    for edit in edits:
+        structure = apply(structure, edit)
+    return assemble(structure).spans
+
+
+async def followed(engine: "Engine", edits: Sequence[Edit]) -> Structure:
+    """The S that these edits, as `taken` gives them, lead to: in step with the text's changes as far as they can be
+    read. Nothing is run."""
+    structure = apply(Structure(), edits[0])
+    if edits[1:]:
+        async for event in engine.apply(structure, edits[1:], method="embedded", run=False):
+            structure = event.structure if isinstance(event, Finished) else structure
+    return structure
+
+
+def _alike(program: str, text: str) -> bool:
+    return SequenceMatcher(None, program.splitlines(), text.splitlines(), autojunk=False).ratio() >= ALIKE

@@ -63,7 +63,7 @@ class Files(Part):
             return
         self.file, self.file_seen = target, _stamp(target)
         self.saved_text = program.text
-        await self.chat.note(f"Saved {', '.join(str(p) for p in written)}.")
+        await self.chat.note(f"Saved {', '.join(p.name for p in written)} in {target.absolute().parent}.")
 
     async def _resolve_change(self, answer: str | None, target: Path) -> None:
         if answer == "over":

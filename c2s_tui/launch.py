@@ -24,5 +24,7 @@ def launch(session: str | None = None, file: Path | None = None, painted: Early 
         watch()
         app.run()
         if app.backend is not None:
+            print("c2s: closing", end="\r", flush=True, file=sys.__stdout__)
             asyncio.run(app.backend.close())
+            print("\x1b[K", end="", flush=True, file=sys.__stdout__)
     return app.return_code or 0

@@ -2,6 +2,7 @@
 
 from c2s_tui.part import Part
 from c2s_tui.screens.dialogs import Confirm
+from c2s_tui.status import StatusBar
 
 
 class Leaving(Part):
@@ -37,6 +38,11 @@ class Leaving(Part):
         self.app.push_screen(Confirm(f"Leave? {'; '.join(reasons).capitalize()}.", answers), decided)
 
     async def leave(self) -> None:
+        """Say so, which is drawn before what may take a moment."""
+        self.bench.query_one(StatusBar).tell_end()
+        self.bench.call_after_refresh(self._end)
+
+    def _end(self) -> None:
         """Save drafts, close everything, end the app."""
         self.bench.drafts.save(now=True)
         self.bench.workers.cancel_all()

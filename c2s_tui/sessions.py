@@ -105,9 +105,10 @@ class Sessions(Part):
         elif argument not in names:
             await self.chat.note(f"There is no session {argument}; /open lists them.", "error")
         else:
-            answers = {"d": ("delete", "delete it with all its turns"), "k": ("", "keep it")}
+            answers = {"k": ("", "keep it"), "d": ("delete", "delete it with all its turns")}
             question = f"Delete the session {argument}? This cannot be undone."
-            self.app.push_screen(Confirm(question, answers), lambda answer: self._deleted(answer, argument))
+            dialog = Confirm(question, answers, by_key=False)
+            self.app.push_screen(dialog, lambda answer: self._deleted(answer, argument))
 
     async def _deleted(self, answer: str | None, name: str) -> None:
         if answer == "delete":

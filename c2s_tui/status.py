@@ -13,6 +13,8 @@ from c2s_tui.look.kinds import mark
 
 STAGES = ("interpret", "resolve", "write", "parse", "safety", "compile", "sample", "run")
 
+CLOSING = "closing"
+
 
 @dataclass(frozen=True)
 class Choice:
@@ -29,10 +31,16 @@ class StatusBar(Static):
     def __init__(self, **options: Any):
         super().__init__("", markup=False, **options)
         self._shown = Content("")
+        self._ends = False
+
+    def tell_end(self) -> None:
+        """From now on only that the app is closing."""
+        self._ends = True
+        self.update(Content.styled(CLOSING, "bold $text-accent"), layout=False)
 
     def show(self, desk: Desk, choice: Choice, working: str = "") -> None:
         words = line(desk, choice, working, self.app.size.width)
-        if words != self._shown:
+        if not self._ends and words != self._shown:
             self._shown = words
             self.update(words, layout=False)
 

@@ -36,6 +36,7 @@ class Turns(Part):
         self.lock = asyncio.Lock()
         self.waiting: tuple[Edit, ...] = ()  # edits of the turn under way
         self.then = ""  # a command to run when the turn under way is done
+        self.said = ""  # the text of the turn under way, where it is one
 
     @property
     def busy(self) -> bool:
@@ -68,7 +69,7 @@ class Turns(Part):
             except Exception as error:  # the engine's public errors are sentences; anything else is reported too
                 await self.chat.note(sentence(error), "error")
             finally:
-                self.working = ""
+                self.working = self.said = ""
                 if not finished:
                     now = self.session
                     self.desk = desks.broken_off(self.desk, now.structure, now.program)
@@ -139,7 +140,7 @@ class Turns(Part):
         await self.chat.user(text)
         options, hand = self.options(), self.bench.code.hand_edit
         self.long = len(text) if len(text) > LONG else 0
-        self.waiting = ()
+        self.waiting, self.said = (), text
         self.turn(lambda: self._after(hand, self.session.say(text, **options)), "reading")
 
     async def _after(self, hand: Sequence[Edit], events: AsyncIterator[Progress]) -> AsyncIterator[Progress]:
@@ -223,8 +224,12 @@ class Turns(Part):
 
     async def do_run(self, _: str) -> None:
         """Apply hand edits; without any, check and run what stands."""
-        if not self.bench.code.commit() and await self.may_begin():
+        if self.bench.code.commit() or not await self.may_begin():
+            return
+        if self.desk.program.text:
             self.run_again()
+        else:
+            await self.chat.note("There is no program yet: describe a scenario first.", "error")
 
     async def do_regenerate(self, argument: str) -> None:
         if not await self.may_begin():
@@ -259,9 +264,11 @@ class Turns(Part):
             self.turn(lambda: self.session.resume(), "resuming")
 
     async def do_cancel(self, _: str) -> None:
-        """Cancel what runs; S is as before the turn, what is typed stays."""
+        """Cancel what runs; S is as before the turn, what is typed stays, what was sent is back in an empty line."""
         if self.busy:
             self.waiting = ()
+            if self.said and not self.chat.entry.text:
+                self.chat.entry.put(self.said)
             self.bench.workers.cancel_group(self.bench, "turn")
             await self.chat.note("Cancelled; nothing was changed.", "note")
 

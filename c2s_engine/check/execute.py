@@ -350,10 +350,13 @@ class Check:
             )  # fmt: skip
         except BaseException as error:
             return [diagnose.diagnose(error, "run", self.program)]
+        found = diagnose.ending(facts, self.program)
+        if found and not facts.ran:  # said as it is said in the stage, and not as Python says it
+            facts = facts.model_copy(update={"reason": found[0].message})
         self._send({"facts": facts.model_dump(mode="json")})
         if tracks is not None:
             self._send({"trajectories": tracks.model_dump(mode="json")})
-        return diagnose.ending(facts, self.program)
+        return found
 
 
 with contextlib.suppress(ImportError):

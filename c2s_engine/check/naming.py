@@ -64,8 +64,10 @@ class Names:
                     continue
                 if id(value) in objects:
                     self.names.setdefault(id(value), name)
-                elif isinstance(value, list | tuple) and len(value) <= 200:
-                    for i, member in enumerate(value):
+                    continue
+                members = getattr(value, "coordinates", value)  # of a list in which something is drawn
+                if isinstance(members, list | tuple) and len(members) <= 200:
+                    for i, member in enumerate(members):
                         if id(member) in objects:
                             self.names.setdefault(id(member), f"{name}[{i}]")
 

@@ -12,8 +12,9 @@ from rich.text import Text
 from c2s_engine.check.protocol import CheckReport, Upto
 from c2s_engine.commands import show
 from c2s_engine.commands.console import BAD_INPUT, OK, REFUSED, dump, err, fail, out, sentences, work
-from c2s_engine.commands.reading import read_program, recognised
+from c2s_engine.commands.reading import judged_by, read_program
 from c2s_engine.commands.series import chosen_seeds, series
+from c2s_engine.saving import beside, spans, taken
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.measures import Measures
 from c2s_engine.structure.requirements import Requirement, Result
@@ -58,7 +59,10 @@ def check(
         dump({"ok": report.ok, "fixed": fixed, **report.model_dump(mode="json", exclude={"facts", "trajectories"})})
     else:
         if fix:
-            err.print(Text(f"{fixed} fixes written to {file}"))
+            words = f"{fixed} fix{'es' * (fixed != 1)} written to {file}"
+            err.print(Text(words if fixed else "There was nothing to fix."))
+        if taken(file, text):
+            err.print(Text(f"Components as in {beside(file).name}.", style="dim"))
         show.stages(report.stages)
         show.diagnostics(d for s in report.stages for d in s.diagnostics)
         if trust:
@@ -72,9 +76,11 @@ async def _check(text: str, file: Path, upto: Upto, seed: int, trust: bool, **op
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
 
+    places: dict[str, Any] = {"spans": spans(taken(file, text)), "folder": str(file.resolve().parent)}
     async with Engine(load_settings()) as engine:
-        folder = str(file.resolve().parent)
-        return await engine.check(text, upto=upto, seed=seed, trust=trust, folder=folder, filename=file.name, **options)
+        return await engine.check(
+            text, upto=upto, seed=seed, trust=trust, filename=file.name, **places, **options
+        )
 
 
 async def _fix(text: str, file: Path, seed: int, trust: bool, **given: Any) -> tuple[str, int]:
@@ -143,7 +149,8 @@ def run(
     if as_json:
         required = show.required_as_dicts(ran.requirements, ran.results)
         numbers = [m.model_dump(mode="json") for m in ran.measures]
-        dump({"ok": report.ok, "requirements": required, "measures": numbers, **report.model_dump(mode="json")})
+        told = {"judged_by": ran.judged_by, "requirements": required, "measures": numbers}
+        dump({"ok": report.ok, **told, **report.model_dump(mode="json")})
     else:
         show.stages(report.stages)
         show.diagnostics(d for s in report.stages for d in s.diagnostics)
@@ -151,19 +158,22 @@ def run(
             from c2s_engine.dryrun.picture import text_picture
 
             out.print(Text(text_picture(report.trajectories[0], columns=min(out.width, 120), rows=36)))
+        if ran.results:
+            out.print(Text(ran.judged_by, style="dim"), soft_wrap=True)
         show.outcome(ran.structure, report.facts, ran.requirements, ran.results, ran.measures)
     raise typer.Exit(OK if report.ok else REFUSED)
 
 
 @dataclass(frozen=True)
 class Ran:
-    """A program's runs, the S recognised in it, and what that requires of them."""
+    """A program's runs, the S that they are judged by (and which that is, in words), and what it requires of them."""
 
     report: CheckReport
     structure: Structure = Structure()
     requirements: tuple[Requirement, ...] = ()
     results: tuple[Result, ...] = ()
     measures: tuple[Measures, ...] = ()
+    judged_by: str = ""
 
 
 async def _run(text: str, file: Path, seed: int, trust: bool, **options: Any) -> Ran:
@@ -176,12 +186,12 @@ async def _run(text: str, file: Path, seed: int, trust: bool, **options: Any) ->
 
 async def ran(engine: Any, text: str, folder: str | None, filename: str, seed: int, **options: Any) -> Ran:
     """A program's dry runs with trajectories, and what is required of them. `options`: of `Engine.check`."""
-    structure, program = await recognised(engine, text, filename)
+    structure, program, words = await judged_by(engine, text, Path(folder) / filename if folder else None)
     report = await engine.check(
         text, spans=program.spans, upto="run", seed=seed, folder=folder, filename=filename, trajectories=True, **options
     )
     found = await engine.judge(structure if program.spans else None, report, seed=seed)
-    return Ran(report, structure, found.requirements, found.results, found.measures)
+    return Ran(report, structure, found.requirements, found.results, found.measures, words)
 
 
 def _write_files(report: CheckReport, svg: Path | None, png: Path | None, csv_file: Path | None) -> None:

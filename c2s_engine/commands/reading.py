@@ -88,13 +88,19 @@ def _decoded(data: bytes, name: str) -> str:
         return data.decode("latin-1")
 
 
-async def recognised(engine: Any, text: str, name: str) -> tuple[Structure, Program]:
-    """The S recognised in a program, and where its components are; none where nothing is recognised."""
+async def judged_by(engine: Any, text: str, file: Path | None) -> tuple[Structure, Program, str]:
+    """The S by which a program is judged, where its components are, and in words which S that is: the one that was
+    saved with the file, what was changed in it since as code by hand; else what is recognised in it, if anything."""
     from c2s_engine.check.client import CheckError
+    from c2s_engine.saving import beside, followed, spans, taken
 
+    if file is not None and (edits := taken(file, text)):
+        words = f"Judged by the S in {beside(file).name}"
+        words += f", and what was changed in {file.name} since." if edits[1:] else ", saved with the program."
+        return await followed(engine, edits), Program(text=text, spans=spans(edits)), words
     with suppress(CheckError):  # what cannot be parsed is told by the check
-        structure = await engine.import_program(text, name)
+        structure = await engine.import_program(text, file.name if file else "program.scenic")
         program = assemble(structure)
-        spans = program.spans if program.text.strip() == text.strip() else ()
-        return structure, Program(text=text, spans=spans)
-    return Structure(), Program(text=text)
+        found = program.spans if program.text.strip() == text.strip() else ()
+        return structure, Program(text=text, spans=found), "Judged by what is recognised in the program."
+    return Structure(), Program(text=text), ""

@@ -4,9 +4,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from rich.text import Text
+
 from c2s_engine.commands import show
-from c2s_engine.commands.console import OK, REFUSED, InputError, work
-from c2s_engine.commands.reading import recognised
+from c2s_engine.commands.console import OK, REFUSED, InputError, err, work
+from c2s_engine.commands.reading import judged_by
 from c2s_engine.session.seeds import numbers, verdict
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.measures import SeedResult
@@ -25,8 +27,8 @@ def series(
     structure: Structure | None, program: Program | str, chosen: Sequence[int], as_json: bool,
     file: Path | None = None, **options: Any,
 ) -> tuple[int, dict[str, Any]]:  # fmt: skip
-    """Run them, and show each unless JSON is asked for; the exit code and all of it as data. S of a file's text is
-    recognised in it."""
+    """Run them, and show each unless JSON is asked for; the exit code and all of it as data. A file's S is the one that
+    was saved with it, else recognised in it."""
     rows: list[SeedResult] = work(_rows(structure, program, chosen, as_json, file, options), as_json)
     if not as_json:
         show.seeds(rows)
@@ -47,7 +49,9 @@ async def _rows(
     async with Engine(load_settings()) as engine:
         if file is not None:
             options = {**options, "folder": str(file.resolve().parent), "filename": file.name}
-            structure, program = await recognised(engine, str(program), file.name)
+            structure, program, words = await judged_by(engine, str(program), file)
+            if words and not quiet:
+                err.print(Text(words, style="dim"))
         async for row in engine.seeds(structure, program, chosen, **options):  # type: ignore[arg-type]
             rows.append(row)
             if not quiet:

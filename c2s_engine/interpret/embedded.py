@@ -99,7 +99,7 @@ class EmbeddedInterpreter:
         understood = typologies.understand(mended.text)
         if not _has_scene(understood):
             raise InterpretError(
-                "Nothing in the text tells of a driving scene: name the vehicles or people, where they "
+                "Nothing in the text tells of a driving scene: name in English the vehicles or people, where they "
                 "are and what they do."
             )
         understood.actors = understood.actors[:MOST_OBJECTS]

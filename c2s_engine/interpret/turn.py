@@ -123,7 +123,7 @@ def _wished(plain: str, structure: Structure) -> tuple[list[Edit], str] | None:
 
 def _not_understood(text: str, why: str = "") -> str:
     """The answer to a change that is not understood, or that cannot be made, with what would do."""
-    how = why or "name what is to change and how, such as “make the lead a truck”"
+    how = why or "name in English what is to change and how, such as “make the lead a truck”"
     return f"I did not understand “{text.strip()[:80]}” as a change{' that can be made' if why else ''}: {how}."
 
 

@@ -13,6 +13,7 @@ from pydantic import ValidationError
 from c2s_engine.api import Engine
 from c2s_engine.maps.library import NAMED, MapNotFound
 from c2s_engine.report.material import Material, ReportError, problem_of
+from c2s_engine.saving import followed, spans, taken
 from c2s_engine.structure.components import Component, Link, Structure, Unmet
 from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.structure.facts import Trajectories
@@ -136,11 +137,13 @@ async def of_text(
 
 
 async def of_program(engine: Engine, file: Path, text: str, *, seed: int = 0) -> Material:
-    """A Scenic program; its S is what is recognised in it. Raises CheckError where it cannot be parsed."""
-    structure = await engine.import_program(text, file.name)
-    found = await _run(engine, Program(text=text), str(file.resolve().parent), file.name, seed)
-    origin = f"program {file.name}, S recognised in it"
-    return Material(id=file.stem, origin=origin, structure=structure, **found)
+    """A Scenic program; its S is the one that was saved with it, else what is recognised in it. Raises CheckError where
+    it cannot be parsed."""
+    edits = taken(file, text)
+    structure = await followed(engine, edits) if edits else await engine.import_program(text, file.name)
+    found = await _run(engine, Program(text=text, spans=spans(edits)), str(file.resolve().parent), file.name, seed)
+    origin = f"program {file.name}, S {'saved with it' if edits else 'recognised in it'}"
+    return Material(id=file.stem, text=structure.text, origin=origin, structure=structure, **found)
 
 
 async def of_session(engine: Engine, name: str, *, seed: int = 0) -> Material:

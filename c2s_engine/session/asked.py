@@ -187,6 +187,13 @@ def _stopped(asked: _Asked) -> str:
     return " ".join(said)
 
 
+def _hidden(asked: _Asked) -> str:
+    """Behind whom those who are asked about (else all others that move) are hidden from ego at the start."""
+    others = [o for o in asked.actors if o.name != EGO]
+    return " ".join(f"{o.name} is hidden from ego at the start, behind {', '.join(o.hidden_behind)}."
+                    if o.hidden_behind else f"{o.name} is in ego's sight from the start." for o in others)  # fmt: skip
+
+
 def _happened(asked: _Asked) -> str:
     found = [(e.time, o.name, e) for o in asked.actors for e in o.events if e.event not in USUAL and e.time > 0]
     found.sort(key=lambda f: f[0])
@@ -235,6 +242,7 @@ TOPICS: tuple[tuple[str, Callable[[_Asked], str]], ...] = (
     (r"\b(?:underst(?:ood|and)|left out|lost from|dropped|ignored|account of)\b", _accounted),
     (r"\b(?:assum\w+|guess\w*|left open|defaults?)\b", _assumed),
     (r"\b(?:colli\w+|crash\w*|hit|hits|touch\w*|contact|accident)\b", _collided),
+    (r"\b(?:hidden|hid(?:e|es|ing)?|occlu\w+|visible|in sight|(?:could|did|does) (?:the )?ego see)\b", _hidden),
     (r"\b(?:close|closest|near|nearest|gap|distance|apart|ttc|time to collision|pet|encroachment)\b", _near),
     (r"\b(?:brak\w+|decelerat\w+|slow(?:s|ed|ing)? down)\b", _braked),
     (r"\b(?:stop\w*|stand\w*|halt\w*)\b", _stopped),
@@ -244,4 +252,4 @@ TOPICS: tuple[tuple[str, Callable[[_Asked], str]], ...] = (
     (r"^(?:who|what) (?:is|are)\b|\bhow many\b", _there),
 )
 """What is asked about, by the words of the field; the first topic that has an answer counts."""
-NEEDS_RUN = (_collided, _near, _stopped, _fast, _happened)
+NEEDS_RUN = (_collided, _hidden, _near, _stopped, _fast, _happened)

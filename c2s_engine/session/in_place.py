@@ -13,6 +13,7 @@ from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import ComponentState, ProgramChanged, Progress, Say
+from c2s_engine.structure.quantity import ends
 from c2s_engine.structure.sentences import sentence, with_sentence
 from c2s_engine.structure.specs import SettingsSpec
 from c2s_engine.write import by_hand
@@ -24,7 +25,6 @@ from c2s_engine.write.in_place import (
     candidates,
     changes,
     data,
-    ends,
     ground,
     halves,
     put,

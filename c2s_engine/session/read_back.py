@@ -10,11 +10,11 @@ from c2s_engine.structure.components import ComponentId, Structure, field_words
 from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Say
-from c2s_engine.structure.quantity import in_words
+from c2s_engine.structure.quantity import ends, in_words
 from c2s_engine.structure.regenerate import key_of
 from c2s_engine.structure.sentences import retold, with_sentence
 from c2s_engine.write import by_hand
-from c2s_engine.write.in_place import Change, at, changes, data, ends, put, same
+from c2s_engine.write.in_place import Change, at, changes, data, put, same
 from c2s_engine.write.inverted import as_field
 from c2s_engine.write.merged import Upon, without_numbers
 from c2s_engine.write.typed.writer import TypedWriter

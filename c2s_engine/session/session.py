@@ -16,7 +16,7 @@ from c2s_engine.session.errors import SessionError
 from c2s_engine.session.facade import Turns
 from c2s_engine.session.files import write_whole
 from c2s_engine.session.journal import Drafts, Journal, Pending
-from c2s_engine.session.state import State, summary
+from c2s_engine.session.state import State, edit_words, futile, summary
 from c2s_engine.session.store import Row, Store, TurnRow
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
@@ -140,7 +140,7 @@ class Session:
     def apply(self, edits: Edit | Iterable[Edit], **options: Any) -> AsyncIterator[Any]:
         """Edits of S, by hand or from a pane."""
         made = tuple(edits) if isinstance(edits, Iterable) and not hasattr(edits, "kind") else (edits,)
-        said = ", ".join(_said(e) for e in made)
+        said = ", ".join(edit_words(e) for e in made)  # type: ignore[arg-type]
         return self._turn(lambda: self._journal.begin("apply", said, made, options=options))  # type: ignore[arg-type]
 
     def regenerate(self, components: Iterable[str] = (), **options: Any) -> AsyncIterator[Any]:
@@ -231,7 +231,7 @@ class Session:
                         said.append(event.text)
                     yield event
             back = finished.details.get("turn") if finished else None
-            if finished and back not in ("undo", "redo"):
+            if finished and back not in ("undo", "redo") and not futile(finished):
                 await asyncio.to_thread(self._commit, turn, finished, tuple(said))
         except sqlite3.Error as error:
             raise SessionError(f"the session cannot be written ({error}): free some space; S is unchanged") from None
@@ -340,11 +340,3 @@ def _locked(folder: Path, name: str) -> Any:
         handle.close()
         raise SessionError(f"the session {name!r} is open in another process: close it there first") from None
     return handle
-
-
-def _said(edit: Any) -> str:
-    if edit.kind == "program":
-        return "code edited by hand"
-    target = getattr(edit, "component", None) or ""
-    path = getattr(edit, "path", "")
-    return f"{edit.kind} {target}{'.' + path if path else ''}".strip()

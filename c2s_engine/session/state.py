@@ -5,13 +5,27 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict
 
-from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.components import Component, Structure, field_words
 from c2s_engine.structure.diagnostics import StageResult
+from c2s_engine.structure.edits import (
+    AddObject,
+    Edit,
+    MoveObject,
+    RemoveObject,
+    Replace,
+    SetCode,
+    SetDescription,
+    SetField,
+    SetProgram,
+    SetSpec,
+)
 from c2s_engine.structure.facts import RunFacts
 from c2s_engine.structure.measures import Measures
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import Finished
+from c2s_engine.structure.quantity import ends, in_words
 from c2s_engine.structure.requirements import Requirement, Result
+from c2s_engine.structure.values import text_of
 
 KEPT_DETAILS = ("map", "room", "folder", "places", "passages")
 """What saving the program, other runs of it and the status line need, and the passages of the last answer."""
@@ -80,6 +94,13 @@ def cleared(structure: Structure, components: Collection[str] = ()) -> Structure
     return structure
 
 
+def futile(finished: Finished) -> bool:
+    """Whether a turn came to nothing: a text that could not be read, a change that was not understood."""
+    unread = any(s.name == "interpret" and not s.ok for s in finished.stages)
+    told = finished.details
+    return unread or bool(told.get("unchanged")) and told.get("turn") in ("edit", "scenario")
+
+
 def summary(before: State, after: State) -> str:
     """In a few words, what a turn changed."""
     old = {c.id: c for c in before.structure.components}
@@ -98,3 +119,28 @@ def summary(before: State, after: State) -> str:
     if failed and after != before:
         parts.append(f"{failed} fails")
     return "; ".join(parts) or "nothing changed"
+
+
+def edit_words(edit: Edit) -> str:
+    """What an edit of S does, in a few words, as the history names it."""
+    if isinstance(edit, SetProgram):
+        return "code edited by hand"
+    if isinstance(edit, Replace):
+        return "program opened"
+    if isinstance(edit, AddObject):
+        return f"add {edit.spec.type.replace('_', ' ')}"
+    if isinstance(edit, RemoveObject | MoveObject):
+        return f"{edit.kind} {edit.component}"
+    return f"{edit.component}: {_of_component(edit)}"
+
+
+def _of_component(edit: SetCode | SetDescription | SetSpec | SetField) -> str:
+    if isinstance(edit, SetCode):
+        return "written from its fields again" if edit.code is None else "code by hand"
+    if not isinstance(edit, SetField):
+        return f"“{edit.description}”" if edit.description else "other fields"
+    value = edit.value
+    if edit.path == "description":
+        return f"“{value}”"
+    shown = in_words(edit.path, value) if ends(value) else text_of(value).replace("_", " ")
+    return f"{field_words(edit.path)} {shown or 'left open'}"

@@ -1,6 +1,6 @@
 """Numbers that a text leaves open: a fixed value, or a range that stays a range down to the program."""
 
-from typing import Annotated
+from typing import Annotated, Any
 
 from pydantic import AfterValidator
 
@@ -41,6 +41,15 @@ def low(value: float | Range) -> float:
 def high(value: float | Range) -> float:
     """The largest value that a quantity can take."""
     return float(value[1] if isinstance(value, tuple | list) else value)
+
+
+def ends(value: Any) -> tuple[float, float] | None:
+    """The ends of a number or range as plain data; None of anything else."""
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        return float(value), float(value)
+    if isinstance(value, list | tuple) and len(value) == 2 and all(isinstance(v, int | float) for v in value):
+        return float(value[0]), float(value[1])
+    return None
 
 
 _UNITS = {"gap": "m", "spacing": "m", "distance": "m", "lateral": "m", "duration": "s", "delay": "s", "rate": "m/s2",

@@ -1,7 +1,7 @@
 """One sentence for each component, in plain words (shown in the panes, and the query of the retrieval)."""
 
 import re
-from functools import cache
+from functools import cache, partial
 from importlib import resources
 from typing import Any
 
@@ -9,7 +9,7 @@ import yaml
 
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.program import border, parted
-from c2s_engine.structure.quantity import Quantity, high, low
+from c2s_engine.structure.quantity import Quantity, high, in_words, low
 from c2s_engine.structure.specs import (
     EgoSpec,
     Limit,
@@ -65,12 +65,6 @@ IRREGULAR = {
     "wildlife": "wildlife",
     "traffic": "traffic",
 }
-
-
-def km_h(speed: Quantity) -> str:
-    """A speed for readers."""
-    a, b = low(speed) * 3.6, high(speed) * 3.6
-    return f"{a:.0f} km/h" if b - a < 0.5 else f"{a:.0f} to {b:.0f} km/h"
 
 
 def _metres(value: Quantity) -> str:
@@ -160,7 +154,7 @@ def obj(spec: ObjectSpec, names: dict[str, str] | None = None) -> str:
     if place.hidden_by:
         text += f", hidden by {_named(place.hidden_by, names)}"
     if spec.speed is not None and high(spec.speed) > 0.1:
-        text += f", at {km_h(spec.speed)}"
+        text += f", at {in_words('speed', spec.speed)}"
     elif spec.pace:
         text += f", {table()['paces'][spec.pace]}"
     steps = _steps(spec.phases, names, many)
@@ -178,7 +172,7 @@ def ego(spec: EgoSpec, names: dict[str, str] | None = None) -> str:
     names = _names(names)
     text = f"Ego, a {spec.type.replace('_', ' ')},"
     text += (
-        f" drives at {km_h(spec.speed)}"
+        f" drives at {in_words('speed', spec.speed)}"
         if spec.speed is not None and high(spec.speed) > 0.1
         else " stands at first"
         if spec.speed is not None
@@ -220,7 +214,7 @@ def place(spec: PlaceSpec) -> str:
     if spec.crosswalk and spec.kind != "crosswalk":
         text += ", with a crosswalk"
     if spec.speed_limit:
-        text += f", limit {spec.speed_limit * 3.6:.0f} km/h"
+        text += f", limit {in_words('speed_limit', spec.speed_limit)}"
     return text + "."
 
 
@@ -239,7 +233,7 @@ def settings(spec: SettingsSpec) -> str:
 def limit(spec: Limit, names: dict[str, str] | None = None) -> str:
     """What a run must keep to all along, without its full stop."""
     known = _names(names)
-    shown = km_h if spec.kind == "speed" else "{:g}".format
+    shown = partial(in_words, "speed") if spec.kind == "speed" else "{:g}".format
     bounds = [f"at least {shown(spec.minimum)}"] if spec.minimum is not None else []
     bounds += [f"at most {shown(spec.maximum)}"] if spec.maximum is not None else []
     other = _named(spec.other, known) if spec.other else "anybody"

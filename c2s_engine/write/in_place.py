@@ -15,6 +15,7 @@ from c2s_engine.check.describe import table
 from c2s_engine.maps.expressions import MANOEUVRE_TYPE
 from c2s_engine.structure import names
 from c2s_engine.structure.components import Component, ComponentId, Structure
+from c2s_engine.structure.quantity import ends
 from c2s_engine.structure.specs import SettingsSpec
 from c2s_engine.write.by_hand import OWN
 from c2s_engine.write.literals import Site, blueprints, numbers, params, statements, words
@@ -100,15 +101,6 @@ def put(data: Any, path: tuple[str | int, ...], value: Any) -> Any:
     if isinstance(data, list):
         return [put(v, path[1:], value) if i == path[0] else v for i, v in enumerate(data)]
     return data
-
-
-def ends(value: Any) -> tuple[float, float] | None:
-    """The ends of a number or range as plain data; None of anything else."""
-    if isinstance(value, int | float) and not isinstance(value, bool):
-        return float(value), float(value)
-    if isinstance(value, list | tuple) and len(value) == 2 and all(isinstance(v, int | float) for v in value):
-        return float(value[0]), float(value[1])
-    return None
 
 
 def same(a: Any, b: Any) -> bool:

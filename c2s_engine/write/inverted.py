@@ -7,7 +7,8 @@ from pydantic import ValidationError
 
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import SPEC_ADAPTER
-from c2s_engine.write.in_place import data, ends, put
+from c2s_engine.structure.quantity import ends
+from c2s_engine.write.in_place import data, put
 from c2s_engine.write.merged import TOKEN, Upon
 
 MOST = 3

@@ -50,7 +50,7 @@ class CodeCommands(Part):
     async def do_find(self, argument: str) -> None:
         """Find in the code: the line to type in, or what was given with the command."""
         self.bench.room.go_to("code")
-        self.bench.call_after_refresh(self.bench.code.finder.open, argument)
+        self.bench.code.finder.open(argument)
 
     async def do_fold(self, argument: str) -> None:
         """Fold components in the code, or unfold them."""

@@ -35,6 +35,7 @@ class Finder(Horizontal):
     def open(self, text: str = "") -> None:
         """Show it, with a text to find; without one, with what is selected in the code."""
         self.add_class("-on")
+        self.app.stylesheet.update(self)  # what is still hidden cannot take the focus
         self.line.value = text or self._code.area.selected_text.split("\n")[0]
         self.screen.set_focus(self.line)
         self.line.action_end()

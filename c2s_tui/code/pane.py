@@ -106,11 +106,13 @@ class CodePane(Vertical):
                 self.point("E", scroll=True)
 
     def empty(self) -> None:
-        """Forget the text and its history: another session's comes."""
+        """Forget the text, its marks and its history: another session's comes."""
         self.desk = Desk()  # also where the next one has the same program, as the example has that was shown before
         self.base, self._shown_text, self._live = Program(text=""), "", None
         with self.prevent(TextArea.Changed):
             self.area.load_text("")
+        self.side.show(here=None)
+        self._draw()
 
     def show_findings(self, diagnostics: tuple[Diagnostic, ...]) -> None:
         """Findings of a check of the text as it is being typed."""

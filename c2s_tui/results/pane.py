@@ -31,7 +31,9 @@ class ResultsPane(VerticalScroll, can_focus=True):
         yield Static(id="report", markup=False)
 
     def show(self, desk: Desk) -> None:
-        """Take the desk; drawn only while the pane is open."""
+        """Take the desk; drawn only while the pane is open. Another run is shown from its outcome on."""
+        if desk.facts is not self.desk.facts:
+            self.scroll_home(animate=False)
         self.desk = desk
         self._draw()
 

@@ -14,25 +14,30 @@ from textual.widgets.option_list import Option
 
 
 class Confirm(ModalScreen[str | None]):
-    """Asks once; the answers are single keys."""
+    """Asks once; the answers are single keys, or (where much would be lost by a key that was meant for something else)
+    chosen from the list, the first one to begin with."""
 
     BINDINGS = [Binding("escape", "answer('')", "Back", show=False)]
 
-    def __init__(self, question: str, answers: dict[str, tuple[str, str]]):
+    def __init__(self, question: str, answers: dict[str, tuple[str, str]], by_key: bool = True):
         """`answers`: key to (value, words)."""
         super().__init__()
-        self.question, self.answers = question, answers
+        self.question, self.answers, self.by_key = question, answers, by_key
 
     def compose(self) -> ComposeResult:
         with Vertical(classes="dialog"):
             yield Static(self.question, classes="title", markup=False)
             yield OptionList(
-                *[Option(Content(f"{key}  {words}"), id=value) for key, (value, words) in self.answers.items()]
+                *[
+                    Option(Content(f"{key}  {words}" if self.by_key else words), id=value)
+                    for key, (value, words) in self.answers.items()
+                ]
             )
-            yield Static("Esc goes back", classes="foot", markup=False)
+            foot = "Esc goes back" if self.by_key else "Down and Enter choose, Esc goes back"
+            yield Static(foot, classes="foot", markup=False)
 
     def on_key(self, event: Any) -> None:
-        if event.key in self.answers:
+        if self.by_key and event.key in self.answers:
             event.stop()
             self.dismiss(self.answers[event.key][0])
 

@@ -5,6 +5,7 @@ from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.containers import Vertical
 from textual.content import Content
+from textual.geometry import Region
 from textual.message import Message
 from textual.suggester import SuggestFromList
 from textual.widgets import Input, Static
@@ -60,6 +61,12 @@ class FieldEditor(Vertical):
 
     def on_mount(self) -> None:
         self.post_message(self.Opened())
+        self.call_after_refresh(self._show_cursor)
+
+    def _show_cursor(self) -> None:
+        """The line was as wide as nothing when its cursor was put at the end."""
+        line = self.query_one(Input)
+        line.scroll_to_region(Region(line.cursor_position, 0, 1, 1), animate=False, force=True)
 
     def _choices(self) -> tuple[str, ...]:
         if self._appends:

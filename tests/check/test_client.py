@@ -50,6 +50,16 @@ def test_names_and_components(server: SyncCheckClient) -> None:
     }  # fmt: skip
 
 
+def test_names_in_a_list_that_a_behavior_reads(server: SyncCheckClient) -> None:
+    head = "".join(line + "\n" for line in GOOD.split("\n")[:4])
+    row = "behavior B():\n    take SetBrakeAction(len(row) / 2)\n" \
+        "spot = Uniform(*network.lanes)\nego = new Car on spot\n" \
+        "row = [new Car at spot.centerline.pointAlongBy(9 * i + 9), with behavior B() for i in range(2)]\n"
+    report = server.check(request(head + row, upto="run"))
+    assert report.ok, report.stages
+    assert [o.name for o in report.facts[0].objects] == ["ego", "row[0]", "row[1]"]
+
+
 def test_seeds_decide_scenes(server: SyncCheckClient) -> None:
     one, again, other = (server.check(request(seed=s)).scenes for s in (5, 5, 6))
     assert one == again != other

@@ -54,6 +54,8 @@ def provoke(server: SyncCheckClient, row: dict) -> None:
         assert first.text == program.split("\n")[first.line - 1].strip()
         if head:
             assert first.component == "O1"
+    for facts in report.facts:
+        assert facts.ran or facts.reason in [d.message for s in report.stages for d in s.diagnostics]
     assert len(first.message) > 15
     assert first.fix
     if row.get("mended"):

@@ -1,6 +1,7 @@
 """Around the panes: the row of keys, zoom, room, find, findings, turns and sessions as lists."""
 
 import pytest
+from textual.events import Key
 from textual.widgets import OptionList
 
 from c2s_tui.code.finder import found
@@ -82,6 +83,18 @@ async def test_find_goes_from_place_to_place_and_to_lines(stage):
         await stage.until(pilot, lambda: "not found" in str(stage.bench.code.finder.query_one("Static").content))
 
 
+async def test_what_is_typed_after_the_key_of_find_is_what_is_found(stage):
+    async with stage.described() as pilot:
+        code = stage.bench.code
+        await pilot.press("f4")
+        await stage.until(pilot, lambda: code.area.has_focus)
+        before = code.area.text
+        for key in ("ctrl+f", "v", "a", "n"):  # all of it before the app has done any
+            stage.app.post_message(Key(key, key if len(key) == 1 else None))
+        await stage.until(pilot, lambda: code.area.selected_text.lower() == "van")
+        assert code.finder.line.value == "van" and code.area.text == before
+
+
 @pytest.mark.parametrize(
     ("wanted", "places"), [("ego", [(0, 0), (1, 4)]), ("Ego", [(0, 0)]), ("", []), ("(x", [(1, 8)])]
 )
@@ -156,6 +169,11 @@ async def test_sessions_are_renamed_and_deleted(stage):
         await stage.until(pilot, lambda: stage.bench.session.name == "night")
         await stage.say(pilot, "/delete evening", wait=False)
         await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
-        await pilot.press("d")
+        await pilot.press(*"do", "enter")  # what was meant for the chat line deletes nothing
+        await stage.until(pilot, lambda: len(stage.app.screen_stack) == 2)
+        assert {s.name for s in stage.backends[0].sessions.list()} == {"night", "evening"}
+        await stage.say(pilot, "/delete evening", wait=False)
+        await stage.until(pilot, lambda: len(stage.app.screen_stack) == 3)
+        await pilot.press("down", "enter")
         await stage.until(pilot, lambda: stage.said and stage.said[-1] == "The session evening is deleted.")
         assert [s.name for s in stage.backends[0].sessions.list()] == ["night"]

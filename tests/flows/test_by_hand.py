@@ -153,3 +153,17 @@ async def test_a_chat_turn_is_about_the_code_as_it_was_typed(stage):
         stage.write("left of ego by 3.5", "left of ego by 4.0")
         await stage.say(pilot, CUT_IN)
         assert [t.text for t in stage.bench.session.history][1:] == ["code edited by hand", CUT_IN]
+
+
+async def test_an_empty_session_has_no_marks_of_the_one_before(stage):
+    async with stage.described() as pilot:
+        await stage.misspell(pilot)
+        code, strip = stage.bench.code, stage.bench.code.query_one("#finding")
+        assert code.side.spans and code.side.problems and strip.display and code.border_subtitle
+        await stage.say(pilot, "/new fresh", wait=False)
+        await stage.until(pilot, lambda: stage.bench.session.name == "fresh")
+        assert (code.side.spans, code.side.changed, code.side.problems) == ((), frozenset(), {})
+        assert not strip.display and not code.border_subtitle and not code.edited
+        await pilot.press("f5")
+        await stage.until(pilot, lambda: stage.said and stage.said[-1].startswith("There is no program yet"))
+        assert not stage.bench.desk.results and not stage.bench.session.history

@@ -95,6 +95,18 @@ def test_escape_cancels_and_keeps_what_is_typed(stage, compare):
     assert compare(flow)
 
 
+async def test_what_was_cancelled_is_back_in_the_line(stage):
+    stage.engine.gate, stage.engine.gated_at = threading.Event(), "say"
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, CUT_IN, wait=False)
+        await stage.until(pilot, lambda: stage.busy)
+        await pilot.press("escape")
+        await stage.idle(pilot)
+        assert stage.bench.chat.entry.text == CUT_IN and not stage.bench.session.history
+        stage.engine.gate.set()
+
+
 async def test_a_text_sent_while_a_turn_runs_stays_typed(stage):
     stage.engine.gate, stage.engine.gated_at = threading.Event(), "write"
     async with stage.make().run_test(size=(140, 45)) as pilot:

@@ -286,3 +286,11 @@ async def test_going_back_to_s_goes_on_in_the_field_that_is_open(stage):
         await stage.until(pilot, lambda: stage.bench.chat.entry.has_focus)
         await pilot.press("f3", "ctrl+u", "b")
         await stage.until(pilot, lambda: stage.bench.sheet.editor.query_one("Input").value == "b")
+
+
+async def test_a_long_sentence_is_opened_at_its_end_where_the_cursor_is(stage):
+    async with stage.described((100, 30)) as pilot:
+        await stage.editing(pilot, "O1:sentence")
+        line = stage.bench.sheet.editor.query_one("Input")
+        assert line.cursor_position == len(line.value) > line.size.width
+        await stage.until(pilot, lambda: line.scroll_offset.x + line.size.width >= line.cursor_position)

@@ -29,6 +29,16 @@ async def test_a_collision_that_nobody_asked_for_is_said_everywhere(stage):
         assert said in report(stage) and "Requirements that are not met: 1" in report(stage)
 
 
+async def test_another_run_is_shown_from_its_outcome_on(stage):
+    async with stage.described((140, 24)) as pilot:
+        await pilot.press("f6")
+        await stage.until(pilot, lambda: "Gaps to ego" in report(stage) and stage.bench.results.max_scroll_y > 0)
+        await pilot.press("end")
+        await stage.until(pilot, lambda: stage.bench.results.scroll_y > 0)
+        await pilot.press("f5")
+        await stage.until(pilot, lambda: not stage.busy and stage.bench.results.scroll_y == 0)
+
+
 def test_the_results_of_a_run(stage, compare):
     async def flow(pilot):
         await stage.say(pilot, CUT_IN)

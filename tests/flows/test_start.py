@@ -147,7 +147,9 @@ async def test_leaving_with_unapplied_edits_asks_once(stage):
         await stage.until(pilot, lambda: stage.app.screen is stage.bench)
         await pilot.press("ctrl+q")
         await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Confirm")
+        status = stage.bench.query_one("#status")
         await pilot.press("q")
+    assert str(status.content) == "closing"
     assert stage.bench.session.draft("code").endswith("# more\n")
 
 
@@ -187,6 +189,7 @@ async def test_files_are_saved_and_changes_outside_noticed(stage, tmp_path: Path
         await stage.say(pilot, f"/save {target}", wait=False)
         await stage.until(pilot, lambda: target.exists() and any("Saved" in line for line in stage.said))
         assert target.read_text() == stage.bench.desk.program.text
+        assert stage.said[-1] == f"Saved cut.scenic, cut.s.json in {tmp_path}."
         target.write_text("ego = new Car\n")
         stage.bench.files.file_seen -= 1  # as if the clock had gone on
         told = []

@@ -114,6 +114,13 @@ def test_other_languages_and_nonsense_are_told_as_such(text: str) -> None:
     assert "no English text" in turned.reply
 
 
+def test_what_looks_like_english_is_answered_with_the_language_that_is_read() -> None:
+    lead = EmbeddedInterpreter().interpret("A car brakes in front of ego.").structure
+    assert "in English" in turn.route("Ein Auto bremst stark vor dem Ego.", lead).reply
+    with pytest.raises(InterpretError, match="in English"):
+        EmbeddedInterpreter().interpret("hallo welt")
+
+
 @pytest.mark.parametrize("text", ENGLISH)
 def test_notes_slips_and_shorthand_are_english(text: str) -> None:
     EmbeddedInterpreter().interpret(text)

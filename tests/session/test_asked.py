@@ -54,6 +54,7 @@ SHOWN = Finished(
      ("how fast was the cyclist?", "cyclist fastest 16 km/h"),
      ("did ego stop?", "ego does not stop: its slowest is 32 km/h"),
      ("what happened?", "2.9 s cyclist enters the road; 3.6 s ego brakes; 4.1 s cyclist hits ego"),
+     ("was the cyclist hidden?", "cyclist is in ego's sight from the start."),
      ("did it work?", "0 of 1 requirements met.\nT: Nobody touches anybody."),
      ("what was not understood?", "0 of 2 clauses of the text are in S as understood.\n“Ego drives.”: not understood"),
      ("what did you assume?", "E: reaction brake (the text does not say)"),
@@ -62,6 +63,14 @@ SHOWN = Finished(
 )  # fmt: skip
 def test_questions_about_the_scene_and_its_run(question, words):
     assert words in answered(question, SHOWN)
+
+
+@pytest.mark.parametrize("question", ["was the cyclist hidden?", "could ego see the cyclist?", "who is occluded?"])
+def test_who_is_hidden_is_answered_from_the_run(question):
+    behind = CYCLIST.model_copy(update={"hidden_behind": ("parked_van",)})
+    run = SHOWN.facts[0].model_copy(update={"objects": (EGO, behind)})
+    said = answered(question, SHOWN.model_copy(update={"facts": (run,)}))
+    assert said == "cyclist is hidden from ego at the start, behind parked_van."
 
 
 @pytest.mark.parametrize(

@@ -59,8 +59,11 @@ async def test_a_conversation(session):
     done, told = await take(session.say("what if it were a motorway?", run=False))
     assert session.structure.place.spec.kind == "motorway"
     assert any("motorway" in t for t in told)
-    done, told = await take(session.say("make it more purple", run=False))
-    assert any("did not understand" in t or "not understood" in t for t in told)
+    turns = len(session.history)
+    for nonsense in ("make it more purple", "blah blah", "Der Wagen soll ein Bus sein"):
+        done, told = await take(session.say(nonsense, run=False))
+        assert any("did not understand" in t or "English" in t for t in told)
+    assert len(session.history) == turns, "what came to nothing is no turn"
 
 
 async def test_undo_with_nothing_to_take_back_is_one_sentence(tmp_path):
@@ -69,5 +72,7 @@ async def test_undo_with_nothing_to_take_back_is_one_sentence(tmp_path):
         session = sessions.open("one", engine)
         with pytest.raises(SessionError, match="nothing to undo"):
             await take(session.say("undo that"))
+        await take(session.say("blah blah"))
+        assert session.history == []
         session.close()
     sessions.close()

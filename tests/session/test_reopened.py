@@ -6,6 +6,7 @@ import pytest
 import pytest_asyncio
 
 from c2s_engine.api import Engine
+from c2s_engine.commands.reading import judged_by
 from c2s_engine.saving import beside, save, taken
 from c2s_engine.session.sessions import Sessions
 from c2s_engine.structure.edits import Replace, SetProgram
@@ -55,6 +56,35 @@ async def test_what_was_changed_in_the_file_is_code_by_hand(made, tmp_path):
     assert session.structure["E"].spec.speed == pytest.approx(5)
     lead = session.structure["O1"]
     assert lead.origin == "by_hand" and "# mine" in lead.code and lead.spec == done.structure["O1"].spec
+
+
+async def test_a_standalone_program_comes_back_whole_too(made, tmp_path):
+    engine, done = made
+    file = tmp_path / "alone.scenic"
+    assert beside(file) in save(done.program, None, file, standalone=True, structure=done.structure)
+    text = file.read_text()
+    assert "import *" not in text and taken(file, text) == [Replace(structure=done.structure), SetProgram(text=text)]
+    session = await reopened(engine, file, tmp_path)
+    assert session.program.text == text
+    assert all(session.structure[c.id].spec == c.spec for c in done.structure.components)
+
+
+async def test_a_file_is_judged_by_the_s_that_was_saved_with_it(made, tmp_path):
+    engine, done = made
+    file = tmp_path / "a.scenic"
+    save(done.program, None, file, structure=done.structure)
+    structure, program, words = await judged_by(engine, file.read_text(), file)
+    assert (structure, program.spans, words) == (
+        done.structure, done.program.spans, "Judged by the S in a.s.json, saved with the program.",
+    )  # fmt: skip
+    text = file.read_text().replace("EGO_SPEED = 8.33", "EGO_SPEED = 5")
+    structure, program, words = await judged_by(engine, text, file)
+    assert structure.ego.spec.speed == pytest.approx(5) and structure.text == TEXT
+    assert (program.text, program.spans) == (text, done.program.spans)
+    assert words == "Judged by the S in a.s.json, and what was changed in a.scenic since."
+    beside(file).unlink()
+    structure, program, words = await judged_by(engine, text, file)
+    assert not structure.text and words == "Judged by what is recognised in the program."
 
 
 async def test_an_s_of_another_program_or_none_is_left_alone(made, tmp_path):

@@ -12,8 +12,11 @@ from session_fake import FakeEngine
 
 from c2s_engine.session import store as session_store
 from c2s_engine.session.sessions import SessionError, Sessions
-from c2s_engine.structure.edits import RemoveObject, SetField
+from c2s_engine.session.state import edit_words
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import AddObject, RemoveObject, Replace, SetCode, SetDescription, SetField, SetProgram
 from c2s_engine.structure.progress import Finished, ProgramChanged, Say
+from c2s_engine.structure.specs import ObjectSpec, Placement
 
 
 async def take(events):
@@ -102,13 +105,34 @@ async def test_undo_and_redo_outlive_the_process(sessions):
     assert [t.text for t in session.history] == ["car", "truck"] and session.can_redo
 
 
+@pytest.mark.parametrize(
+    ("edit", "words"),
+    [
+        (SetField(component="E", path="speed", value=10.0), "E: speed 36 km/h"),
+        (SetField(component="O1", path="phases.0.trigger.value", value=[5, 8]), "O1: phase 1 trigger value 5 to 8"),
+        (SetField(component="O1", path="type", value="fire_truck"), "O1: type fire truck"),
+        (SetField(component="G", path="weather", value=["rain", "fog"]), "G: weather rain, fog"),
+        (SetField(component="E", path="speed"), "E: speed left open"),
+        (SetDescription(component="O1", description="A van."), "O1: “A van.”"),
+        (SetCode(component="O1", code="x = 1"), "O1: code by hand"),
+        (SetCode(component="O1", code=None), "O1: written from its fields again"),
+        (AddObject(spec=ObjectSpec(type="van", placement=Placement(position="ahead"))), "add van"),
+        (RemoveObject(component="O1"), "remove O1"),
+        (Replace(structure=Structure()), "program opened"),
+        (SetProgram(text=""), "code edited by hand"),
+    ],
+)
+def test_the_history_names_edits_in_plain_words(edit, words):
+    assert edit_words(edit) == words
+
+
 async def test_a_turn_after_undo_begins_a_new_branch(sessions):
     session = sessions.open("one", FakeEngine())
     for text in ("car", "truck"):
         await take(session.say(text))
     await take(session.undo())
     await take(session.apply(SetField(component="O1", path="count", value=2)))
-    assert [t.text for t in session.history] == ["car", "field O1.count"] and not session.can_redo
+    assert [t.text for t in session.history] == ["car", "O1: count 2"] and not session.can_redo
     assert session.history[-1].summary == "changed O1"
     await take(session.apply([RemoveObject(component="O1")]))
     assert session.structure.objects == () and session.history[-1].summary == "removed O1"

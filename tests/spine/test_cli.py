@@ -52,6 +52,15 @@ def test_generate_gives_a_program_that_runs(tmp_path):
 
 
 @pytest.mark.full
+def test_fixes_are_counted_in_words(tmp_path):
+    program = tmp_path / "lead.scenic"
+    program.write_text(LEAD.replace("new Car at", "Car at"))
+    assert b"1 fix written to" in c2s("check", str(program), "--fix", "--map", "town").stderr
+    assert "new Car at spot" in program.read_text()
+    assert b"There was nothing to fix." in c2s("check", str(program), "--fix", "--map", "town").stderr
+
+
+@pytest.mark.full
 def test_the_program_alone_is_on_stdout_and_plain_scenic_takes_it(tmp_path):
     done = c2s("generate", TEXT, "-o", "-", "--no-run")
     assert done.returncode == 0 and b"assumed" in done.stderr

@@ -10,7 +10,7 @@ from c2s_engine.interpret.llm.units import quantities
 from c2s_engine.structure import sentences as describe
 from c2s_engine.structure.components import ComponentId, Structure, Unmet
 from c2s_engine.structure.leaves import leaves
-from c2s_engine.structure.quantity import high, low
+from c2s_engine.structure.quantity import high, in_words, low
 from c2s_engine.structure.specs import AnySpec, Condition, EgoSpec, ObjectSpec, Phase, PlaceSpec, RestrictionsSpec
 
 CLOSE = 0.05
@@ -78,7 +78,7 @@ def _steps(phases: tuple[Phase, ...], names: Mapping[str, str]) -> Iterator[str]
     for phase in phases:
         more = []
         if phase.speed is not None:
-            more.append(f"to {describe.km_h(phase.speed)}")
+            more.append(f"to {in_words('speed', phase.speed)}")
         if phase.duration is not None:
             more.append(f"for {_number(phase.duration)} s")
         trigger = phase.trigger

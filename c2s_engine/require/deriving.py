@@ -3,6 +3,7 @@
 from c2s_engine.require import (
     actors,
     conflict,
+    giving_way,
     limits,
     manoeuvres,
     natural,
@@ -18,7 +19,7 @@ from c2s_engine.require.scene import Scene
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.requirements import Requirement
 
-PARTS = (road, actors, starts, phases, manoeuvres, watched, outcome, conflict, natural, rules, limits, pace)
+PARTS = (road, actors, starts, phases, manoeuvres, watched, outcome, conflict, giving_way, natural, rules, limits, pace)
 """Phases come before what reads their moments."""
 
 

@@ -112,6 +112,15 @@ ENTERS = ObjectSpec(placement=Placement(position="crossing_right"))
 YIELDS = EgoSpec(phases=(Phase(action="yield", target="O1"),))
 SLOWS_AT_LINE = {"speed": ramp((0, 10), (2, 10), (8, 0), (9, 0), (11, 8), (12, 8)), "marks": (LINE,)}
 IN_JUNCTION = (Stay(time=0.0, lane=2, kind="junction", to_ego="crossing"),)
+CROSSES = s(ObjectSpec(placement=Placement(position="crossing_left")), ego=YIELDS, place=PlaceSpec(kind="intersection"))
+STANDS_AT_LINE = {"speed": ramp((0, 10), (1, 10), (3, 0), (9.5, 0), (10.5, 8), (12, 8)), "y": 28.0}
+
+
+def comes_by(x: float) -> Actor:
+    """Somebody from the left over ego's junction, so far (m) before ego's lane at first."""
+    return other(x=x, y=65.0, across=True, stays=IN_JUNCTION)
+
+
 MERGE = (Mark(kind="merge", start=20.0, end=80.0, name="1"),)
 AT_END = EgoSpec(phases=(Phase(action="brake", speed=2.0, trigger=Trigger(kind="place", place="merge_end")),))
 ROUND = EgoSpec(phases=(Phase(action="go_straight"), Phase(action="stop")))
@@ -151,6 +160,20 @@ CASES = [
         s(ObjectSpec(placement=Placement(position="circulating")), ego=YIELDS, place=RING),
         Scene([ego(**SLOWS_AT_LINE), other(x=-40.0, y=65.0, speed=3.0, across=True, stays=IN_JUNCTION)]),
         Scene([ego(**SLOWS_AT_LINE), other(x=5.0, y=65.0, speed=3.0, across=True, stays=IN_JUNCTION)]),
+    ),
+    (
+        "stands for one that is near then",
+        "E.gives_way.O1",
+        CROSSES,
+        Scene([ego(**STANDS_AT_LINE), comes_by(-90.0)]),
+        Scene([ego(**STANDS_AT_LINE), comes_by(-104.0)]),
+    ),
+    (
+        "stands for one that has not gone by",
+        "E.gives_way.O1",
+        CROSSES,
+        Scene([ego(**STANDS_AT_LINE), comes_by(-30.0)]),
+        Scene([ego(**STANDS_AT_LINE), comes_by(-20.0)]),
     ),
     (
         "brakes up to the end of the acceleration lane",

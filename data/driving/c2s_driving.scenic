@@ -1134,11 +1134,13 @@ SHORT, LONG = 60, 140  # m: ways of others that are shorter go on over the roads
 
 class From(object):
     """A way by which others reach ego's junction: from ego's `side` ('left', 'right', 'opposite', or the 'ring' of a roundabout), going by `turn` over
-    it; with a `sign` ('stop', 'yield') if one is said; over a lane of `length` m at least. `passed`: somebody waits
+    it; with a `sign` ('stop', 'yield') if one is said, with none where there is such a way for who has `priority`; over
+    a lane of `length` m at least. `passed`: somebody waits
     there whom others pass: in the lane `place.left_pocket`, `left_pocket_offset` m to the left of its middle.
     """
-    def __init__(self, side, turn=STRAIGHT, sign=None, length=0, passed=False):
+    def __init__(self, side, turn=STRAIGHT, sign=None, length=0, passed=False, priority=False):
         self.side, self.turn, self.sign, self.length, self.passed = side, turn, sign, length, passed
+        self.priority = priority
 
     def lane_to(self, way, roundabout=False):
         """The lane by which it comes to the junction of ego's way, or None."""
@@ -1219,7 +1221,9 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
         ways = [Place(m.startLane, m) for m in found if facts.controlled(m.intersection, unregulated)]
         places = _at_junctions(ways, approach, exit, limit, lanes, others, across=across)
         if places:
-            return places
+            return [place for place in places if not any(
+                other.priority and facts.sign(lane, place.turn.intersection)
+                for other, lane in zip(others, place.others))] or places
     return []
 
 def roundabouts(approach=0, exit=0, others=(), arms_within=100, limit=None, across=False, leaving=0, **lanes):

@@ -119,7 +119,7 @@ def _stands(c: Course) -> Step:
 
 
 def sets_out_to_meet(c: Course) -> str:
-    """Until when one waits who stands before the junction and sets out into a collision with ego; "": it does not."""
+    """Until when one waits who stands before the junction and sets out into ego's way; "": it does not."""
     if not c.actor.sets_out:
         return ""
     metres = f"{scope.constant(c.actor.structure, c.actor.cid)}_SETS_OUT"

@@ -45,7 +45,7 @@ class Actor:
 
     @property
     def sets_out(self) -> bool:
-        """Whether it stands before the junction and sets out into a collision with ego."""
+        """Whether it stands before the junction and sets out into ego's way."""
         return self.cid in self.plan.set_out
 
     @property

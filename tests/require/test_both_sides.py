@@ -121,6 +121,9 @@ def comes_by(x: float) -> Actor:
     return other(x=x, y=65.0, across=True, stays=IN_JUNCTION)
 
 
+CRASHES_ANYWAY = s(ObjectSpec(placement=Placement(position="crossing_left"), phases=(Phase(action="collide"),)),
+                   ego=EgoSpec(reaction="brake", react_to="O1"))  # fmt: skip
+STOPS_AFTER_IT = EgoSpec(phases=(Phase(action="collide", target="O1"), Phase(action="stop")))
 MERGE = (Mark(kind="merge", start=20.0, end=80.0, name="1"),)
 AT_END = EgoSpec(phases=(Phase(action="brake", speed=2.0, trigger=Trigger(kind="place", place="merge_end")),))
 ROUND = EgoSpec(phases=(Phase(action="go_straight"), Phase(action="stop")))
@@ -174,6 +177,20 @@ CASES = [
         CROSSES,
         Scene([ego(**STANDS_AT_LINE), comes_by(-30.0)]),
         Scene([ego(**STANDS_AT_LINE), comes_by(-20.0)]),
+    ),
+    (
+        "brakes before it is struck",
+        "E.reaction.O1.before",
+        CRASHES_ANYWAY,
+        Scene([ego(speed=ramp((0, 10), (3, 10), (4, 8.5), (12, 8.5))), other()], contacts=(HIT,)),
+        Scene([ego(speed=ramp((0, 10), (3.6, 10), (4, 9.4), (12, 0))), other()], contacts=(HIT,)),
+    ),
+    (
+        "rolls out and stands after a contact",
+        "E.phases.1.stop",
+        s(ObjectSpec(), ego=STOPS_AFTER_IT),
+        Scene([ego(speed=ramp((0, 10), (4, 8), (6, 0), (12, 0))), other()], contacts=(HIT,)),
+        Scene([ego(speed=ramp((0, 10), (4, 8), (12, 3))), other()], contacts=(HIT,)),
     ),
     (
         "brakes up to the end of the acceleration lane",

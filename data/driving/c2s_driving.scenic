@@ -195,6 +195,8 @@ def comes_over(points, metres, size, others):
         return line.distance(shapely.geometry.Polygon(ends)) < 1
     return next((stretch[k] for k in range(len(stretch)) if over(k)), metres)
 
+FORESEEN = 0.6  # s before one is in its way at which another brakes for it, too late
+
 CORNERS = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
 
 def lead_to_touch(points, own, spot, strikes, others, far, other_spot, struck, late=0):
@@ -206,7 +208,7 @@ def lead_to_touch(points, own, spot, strikes, others, far, other_spot, struck, l
     def driven(way, known, seconds):
         return along_way(way, numpy.interp(seconds, known[1], known[0]))
     one = driven(points, own, begin + leads + time)
-    braked = time + begin + leads - numpy.interp(comes_over(points, spot, strikes.size, others), *own) if late else 0
+    braked = time + begin + leads - numpy.interp(comes_over(points, spot, strikes.size, others), *own) + FORESEEN if late else 0
     slowed = numpy.interp(other_begin + time, far[1], far[0]) - late / 2 * numpy.maximum(braked, 0) ** 2
     two = along_way(others, slowed + 0 * leads)
     hit = overlapping(one, strikes.size, two, struck.size)
@@ -858,16 +860,20 @@ def need(car, other):
     return max(least, closing ** 2 / (2 * max(gap - 2 - 0.5 * max(motion.y, 0), 0.3)))
 
 def into(car, other, speed):
-    """The deceleration (m/s2) at which `car` reaches `other` at `speed` (m/s), if that goes on as it does."""
-    rest = max(gap(car, other) - 0.2, 0.5)
-    return max(0.1, ((car.speed - other.speed) ** 2 - max(speed - other.speed, 0) ** 2) / (2 * rest))
+    """The deceleration (m/s2, no more than tyres hold) at which `car` reaches `other`, ahead of it or about to be, at `speed`
+    (m/s), if that goes on as it does."""
+    across, own = abs(math.sin(other.heading - car.heading)), other.velocity.rotatedBy(-car.heading).y
+    long = (car.length + other.width * across + other.length * (1 - across)) / 2
+    rest = max((other.position - car.position).rotatedBy(-car.heading).y - long - 0.2, 0.5)
+    return max(0.1, min(8, ((car.speed - own) ** 2 - max(speed - own, 0) ** 2) / (2 * rest)))
 
 CLOSE = 2.5  # s behind another within which one brakes as soon as that does
 
-def in_way(points, other, room=1):
-    """Whether `other` is within `room` m of the middle of a way, its points."""
-    line = shapely.geometry.LineString([(p.x, p.y) for p in points])
-    return line.distance(_box(other)) < room
+def in_way(points, other, room=1, seconds=0):
+    """Whether `other` is within `room` m of the middle of a way, its points, or comes there in so many seconds."""
+    line, box = shapely.geometry.LineString([(p.x, p.y) for p in points]), _box(other)
+    there = shapely.affinity.translate(box, other.velocity.x * seconds, other.velocity.y * seconds)
+    return line.distance(box.union(there).convex_hull if seconds else box) < room
 
 REACTION_TIME = 0.3  # s from when somebody comes into view to a reaction
 

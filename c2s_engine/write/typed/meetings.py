@@ -160,7 +160,7 @@ def _egos_way(structure: Structure, plan: Plan) -> tuple[str, str] | None:
     own = ego.model_copy(update={"phases": reacting_phases(ego, threatening(structure), structure, plan)})
     phases = behaviour.phases_of(Actor("E", own, structure, plan, "", 0, "EGO_SPEED", plan.ego_speed))
     speed, more = "EGO_SPEED", ""
-    before = list(takewhile(lambda p: p.action not in TURN, phases))  # what it does on its way there
+    before = list(takewhile(_up_to_it, phases))  # what it does on its way there
     standing = next((i for i, p in enumerate(before) if p.action in STANDS_FOR), len(phases))
     if standing < len(phases) and not (standing and plan.ego_speed <= 0):
         held = _stands_for(phases[standing:])
@@ -173,6 +173,11 @@ def _egos_way(structure: Structure, plan: Plan) -> tuple[str, str] | None:
     if plan.ego_speed <= 0:
         speed = scope.number(next((middle(p.speed) for p in phases if p.speed), SETS_OUT))
     return f"{way_of_ego(plan)}, EGO_AT, {speed}", more
+
+
+def _up_to_it(phase: Phase) -> bool:
+    """Whether one does that before it is in the junction, or touches anybody."""
+    return phase.action not in TURN and not (phase.trigger and phase.trigger.kind == "contact")
 
 
 def _stands_for(phases: list[Phase]) -> float | None:

@@ -4,7 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import ahead, lateral, scope, traffic
-from c2s_engine.write.typed.collisions import hit_beside, hit_next, slows_too_late
+from c2s_engine.write.typed.collisions import hit_beside, hit_next, too_late
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.facing import AHEAD
 from c2s_engine.write.typed.overtakings import pulls_out
@@ -80,7 +80,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     said = phase.trigger is not None or phase.action == "stop" and phase.clearance is not None
     if said or before and before[-1].action == "collide" or held_for(course, phase):
         return ""
-    if until := slows_too_late(course, phase):
+    if until := too_late(course, phase):
         return until
     if first and (until := comes_out(a.structure, a.cid, a.plan, phase, course.wanted(phase, a.value or 2))):
         return until

@@ -8,6 +8,7 @@ import numpy as np
 from c2s_engine.require import moments
 from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
 from c2s_engine.require.geometry import box_distance
+from c2s_engine.require.outcome import struck
 from c2s_engine.require.results import between, decided, scored, span, unknown
 from c2s_engine.require.scene import Scene, bounds, kmh, shown_by
 from c2s_engine.structure.facts import EGO
@@ -49,7 +50,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
             values["after"] = before[actor]
         if (change := _change(scene, actor, i)) is not None:
             values["change"] = change
-        if phase.trigger and phase.trigger.kind == "contact" or "collide" in _before(scene, actor, i):
+        if phase.action == "stop" and any(actor in pair for pair in struck(scene)):
             values["rolls_out"] = True
         if phase.duration is not None and scene.stated(_cid(actor), f"{path}.duration"):
             values["duration"] = low(phase.duration)
@@ -70,10 +71,6 @@ def required(scene: Scene) -> Iterator[Requirement]:
             before[actor] = seen.id
     yield from _awaited(scene)
     yield from moments.delays(scene)
-
-
-def _before(scene: Scene, actor: str, i: int) -> set[str]:
-    return {p.action for p in scene.actors[actor].phases[:i]}
 
 
 def _leaves_later(scene: Scene, actor: str, i: int) -> bool:

@@ -252,9 +252,10 @@ def _start_to_meet(lane, points, speed, others, from_, other_speed, ahead=0, cle
 
 start_to_meet = distributionFunction(_start_to_meet)
 
-def _setting_out_to_meet(lane, points, before, speed, other_lane, others, other_speed, strikes=None, struck=None):
+def _setting_out_to_meet(lane, points, before, speed, other_lane, others, other_speed, strikes=None, struck=None,
+                         late=0):
     """How far (m) another is from the end of `other_lane` when a car that stands with its middle `before` m before the
-    stop line of its `lane` has to set out for `speed` to meet it; `strikes` and `struck` as of `start_to_meet`."""
+    stop line of its `lane` has to set out for `speed` to meet it; `strikes`, `struck` and `late` as of `start_to_meet`."""
     (_, spot, _), (_, other_spot, _) = conflict(lane, points, others)
     far, times = driving_times(others, other_speed)
     begin = stop_line(lane) - before
@@ -262,7 +263,7 @@ def _setting_out_to_meet(lane, points, before, speed, other_lane, others, other_
     if strikes:
         own = numpy.arange(begin, begin + 60, 1.0)
         known = own, [setting_out(metres - begin, speed) for metres in own]
-        time += lead_to_touch(points, known, spot, strikes, others, (far, times), other_spot, struck)
+        time += lead_to_touch(points, known, spot, strikes, others, (far, times), other_spot, struck, late)
     there = numpy.interp(numpy.interp(other_spot, far, times) - time, times, far)
     return float(max(1, other_lane.centerline.length - there))
 

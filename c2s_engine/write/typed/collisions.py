@@ -116,7 +116,8 @@ def hits_at(c: Course, p: Phase) -> float | None:
     """The speed (m/s) that is left to one that brakes in a phase, too late, as it hits whom it hits then or next; None:
     it does not brake so. Whose ways cross brake though nothing says to what speed."""
     hit = hit_after(c, p) if p.action == "collide" or p.action == "brake" and p.rate is None else None
-    if hit is None or not hit.target or hit is not p and hit.trigger:
+    cause = {p.target, p.trigger.of if p.trigger else None} - {None}
+    if hit is None or not hit.target or hit is not p and (hit.trigger or not cause <= {hit.target}):
         return None
     across = ways_cross(c, hit)
     said = hit.speed if hit.speed is not None else p.speed

@@ -131,7 +131,8 @@ def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator
             late = phase.action == "brake" and any(p.action == "collide" for p in spec.phases[i + 1 : i + 2])
             timed = cid in usual.later or by_place or late
             by_contact = late and phase.rate is None  # that says how hard it brakes
-            untimed = is_open(f"phases.{i}.trigger", phase.trigger) and not timed
+            before_it = [p.action for p in spec.phases[i + 1 : i + 3] if p.trigger is None] == ["brake", "collide"]
+            untimed = is_open(f"phases.{i}.trigger", phase.trigger) and not timed and not before_it
             hits = any(p.action == "collide" and (p.speed is not None or p.pace) for p in spec.phases[i + 1 : i + 2])
             if phase.action != "accelerate" or not hits:  # that says how fast it is by then
                 own = _of_phase(cid, i, phase, speed, untimed, is_open)

@@ -121,7 +121,8 @@ def hits_at(c: Course, p: Phase) -> float | None:
         return None
     across = ways_cross(c, hit)
     said = hit.speed if hit.speed is not None else p.speed
-    if not across and (p is hit or p.speed is None or not c.same_lane(hit)) or p is hit and said is None:
+    open_ = p is hit or p.speed is None and c.actor.is_ego
+    if not across and (open_ or not c.same_lane(hit)) or p is hit and said is None:
         return None
     goal = middle(said) if said is not None else (LEFT if p is hit or hit_next(c, p) else SLIDING) * c.value
     return goal if p is not hit or across and goal < c.value - SLOWER else None
@@ -130,7 +131,8 @@ def hits_at(c: Course, p: Phase) -> float | None:
 def too_late(c: Course, p: Phase) -> str:
     """Until when one drives on that then brakes and hits somebody nevertheless; "": it brakes as soon as it can."""
     goal, hit = hits_at(c, p), hit_after(c, p)
-    if goal is None or hit is None or not (ways_cross(c, hit) or getattr(c.actor.spec, "hard", False)):
+    soon = c.actor.is_ego and not getattr(c.actor.spec, "hard", False)
+    if goal is None or hit is None or soon and not ways_cross(c, hit):
         return ""
     return f"until into(self, {c.actor.ref(hit.target)}, {scope.number(round(goal, 1))}) > {TOO_LATE}"
 
@@ -146,7 +148,7 @@ def brakes_into(c: Course, p: Phase) -> list[Step] | None:
     until_then = f"self.speed < {scope.number(round(c.value - BRAKED, 1))}" if slides else f"touch(self, {other})"
     c.set(goal)
     c.value = goal
-    return [*waits, ([f"{c.drive(speed)[:-1]}, rate=lambda: into(self, {other}, {speed}))"], f"until {until_then}")]
+    return [*waits, ([c.drive(speed, f"lambda: into(self, {other}, {speed})")], f"until {until_then}")]
 
 
 def ways_cross(c: Course, hit: Phase) -> bool:

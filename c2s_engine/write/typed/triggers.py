@@ -26,8 +26,6 @@ from c2s_engine.write.typed.watching import METRES, watched, watches
 
 CAN_STOP = 10
 """Twice the m/s2 at which one stops for a light that changes."""
-TOO_LATE = 1.5
-"""s before the contact at which one brakes who then hits another."""
 BEFORE_IT = 2.0
 """m before a crosswalk by which one has slowed down for it."""
 TO_END = 6.0
@@ -126,8 +124,6 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return f"until (distance from self to {obstacle}) < 12 + 2 * self.speed"
     if phase.action == "u_turn" and first and not a.is_ego and (course.oncoming or a.value <= 0):  # in front of ego
         return f"until (distance from self to ego) < {scope.number(12 + 2.2 * (a.value + a.plan.ego_speed))}"
-    if phase.action == "brake" and not a.is_ego and not a.approach and (hit := hit_next(course, phase)):  # too late
-        return f"until ttc(self, {a.ref(hit.target)}) < {scope.number(TOO_LATE)}"
     if first and phase.action in ("brake", "stop") and _comes_over(a):
         return "until need(self, ego) > 1"
     if phase.action == "yield" and first and in_next_lane(course, phase):

@@ -195,7 +195,7 @@ def comes_over(points, metres, size, others):
         return line.distance(shapely.geometry.Polygon(ends)) < 1
     return next((stretch[k] for k in range(len(stretch)) if over(k)), metres)
 
-FORESEEN = 0.6  # s before one is in its way at which another brakes for it, too late
+FORESEEN = 0.45  # s before one is in its way at which another brakes for it, too late
 
 CORNERS = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
 

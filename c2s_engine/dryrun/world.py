@@ -24,8 +24,8 @@ from c2s_engine.dryrun.traffic import TrafficManager
 from c2s_engine.dryrun.walkers import Guide
 from c2s_engine.maps.extras import MapExtras
 
-AFTERMATH = 1.0
-"""s that a run goes on after a collision."""
+AFTERMATH, LONGEST = 1.0, 4.0
+"""s that a run goes on after a collision at least, and at most until those in it stand."""
 NOTHING = Vector(0, 0, 0)
 
 
@@ -164,7 +164,7 @@ class DryRunSimulation(DrivingSimulation):
                 kind, reason = TerminationType.timeLimit, "the time was over"
             if reason is not None:
                 return self._end(kind, reason)
-            if self.crashed is not None and self.currentTime * self.timestep >= self.crashed + AFTERMATH:
+            if self._crash_is_over():
                 return self._end(TerminationType.timeLimit, "collision")
             actions = self._decide(dynamicScenario)
             if not isinstance(actions, dict):
@@ -175,6 +175,13 @@ class DryRunSimulation(DrivingSimulation):
             self.step()
             self.currentTime += 1
             self.updateObjects()
+
+    def _crash_is_over(self) -> bool:
+        if self.crashed is None:
+            return False
+        since = self.currentTime * self.timestep - self.crashed
+        rolls = any(a.body.dead and abs(a.body.speed) > 0.1 for a in self.world.actors if not isinstance(a, fake.Prop))
+        return since >= (LONGEST if rolls else AFTERMATH)
 
     def _end(self, kind: TerminationType, reason: Any) -> tuple[TerminationType, str]:
         self.ended = kind

@@ -4,6 +4,7 @@ from c2s_engine.require import (
     actors,
     conflict,
     crossing,
+    giving_way,
     limits,
     manoeuvres,
     natural,
@@ -19,7 +20,9 @@ from c2s_engine.require.scene import Scene
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.requirements import Requirement
 
-PARTS = (road, actors, starts, phases, manoeuvres, watched, crossing, outcome, conflict, natural, rules, limits, pace)
+PARTS = (
+    road, actors, starts, phases, manoeuvres, watched, crossing, outcome, conflict, giving_way, natural, rules, limits, pace,
+)  # fmt: skip
 """Phases come before what reads their moments."""
 
 

@@ -46,9 +46,15 @@ def arrival(one: Motion, other: Motion) -> float | None:
 
 def conflict_begins(one: Motion, other: Motion) -> float | None:
     """When the second of two is where their ways meet, s; None where they do not."""
+    hit = meeting_steps(one, other)
+    return float(max(hit[0].min(), hit[1].min())) * one.step if len(hit[0]) else None
+
+
+def meeting_steps(one: Motion, other: Motion) -> tuple[np.ndarray, np.ndarray]:
+    """The steps of both at which they would touch, were they there at the same time."""
     every = max(1, round(STEP / one.step))
-    hit = _meeting(one.poses[::every], other.poses[::every], one, other)
-    return float(max(hit[0].min(), hit[1].min())) * every * one.step if len(hit[0]) else None
+    i, j = _meeting(one.poses[::every], other.poses[::every], one, other)
+    return i * every, j * every
 
 
 def _meeting(a: np.ndarray, b: np.ndarray, one: Motion, other: Motion) -> tuple[np.ndarray, np.ndarray]:

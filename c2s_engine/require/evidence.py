@@ -30,6 +30,11 @@ class Motion:
         """(steps, [x, y, heading])."""
         return np.column_stack([self.x, self.y, self.heading])
 
+    @property
+    def beyond_contact(self) -> "Motion":
+        """The same, to the end of the run."""
+        return Motion(self.facts, self.track, self.step, None)
+
     @cached_property
     def smooth(self) -> np.ndarray:
         """Speed averaged over half a second, m/s."""

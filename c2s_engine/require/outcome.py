@@ -6,7 +6,7 @@ from c2s_engine.require.due import Point, to_meet, to_touch
 from c2s_engine.require.evidence import Evidence
 from c2s_engine.require.geometry import box_distance, face
 from c2s_engine.require.results import decided, scored, unknown
-from c2s_engine.require.scene import Scene
+from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
@@ -40,6 +40,10 @@ def required(scene: Scene) -> Iterator[Requirement]:
         index, phase = next((i, p) for a, i, p in scene.phases() if a == actor and p.action == "collide")
         yield scene.make("outcome", "contact", actor, f"phases.{index}.contact", f"{name} and {other} touch.",
                          other=target)  # fmt: skip
+        if _brakes_for(scene, actor, target):
+            striker = actor if actor != EGO else target
+            yield scene.make("outcome", "brakes_before", EGO, f"reaction.{striker}.before", f"Ego brakes for "
+                             f"{scene.named(striker)} before they touch.", other=striker)  # fmt: skip
         if part := phase.part or _part(scene, actor):
             yield scene.make("outcome", "part", actor, f"phases.{index}.part", f"{name} touches {other} with its "
                              f"{_words(part)}.", other=target, part=part, mine=True)  # fmt: skip
@@ -53,6 +57,15 @@ def required(scene: Scene) -> Iterator[Requirement]:
         said = tuple(f"{a} {b}" for a, b in (*pairs, *(meet if scene.ego.reaction == "none" else ())))
         text = "Nobody else touches anybody." if said else "Nobody touches anybody."
         yield scene.make("outcome", "no_other_contact", EGO, "no_other_contact", text, component="T", pairs=said)
+
+
+def _brakes_for(scene: Scene, actor: str, target: str) -> bool:
+    """Whether ego brakes, in vain, for whom it hits or who hits it: not for one that comes from behind."""
+    named = scene.ego.react_to
+    if scene.ego.reaction != "brake" or named not in (actor, target) or EGO not in (actor, target):
+        return False
+    spec = scene.objects.get(named)
+    return spec is not None and "behind" not in (spec.placement.position, spec.placement.along)
 
 
 def _together(scene: Scene, actor: str) -> bool:
@@ -138,6 +151,16 @@ def _due(requirement: Requirement, evidence: Evidence, said: str) -> float | Non
     return to_touch(one, other, lambda _, its: _matches(said, its, other.size))
 
 
+def brakes_before(requirement: Requirement, evidence: Evidence) -> Result:
+    limits, said = bounds()["reaction"]["braked"]["value"], "slower before they touch"
+    ego = evidence.motion(EGO)
+    if ego is None or not evidence.contacts(EGO, requirement.other or ""):
+        return unknown(requirement, said, "not reached: the two do not touch")
+    before = ego.speed[ego.at(ego.time[-1] - bounds()["aiming"]["before"]["value"]) :]
+    slower = float(before.max() - before[-1])
+    return scored(requirement, (slower - limits) / limits, said, f"by {slower:.1f} m/s", float(ego.time[-1]))
+
+
 def no_other_contact(requirement: Requirement, evidence: Evidence) -> Result:
     pairs = requirement.values["pairs"]
     assert isinstance(pairs, tuple)
@@ -149,4 +172,4 @@ def no_other_contact(requirement: Requirement, evidence: Evidence) -> Result:
     return scored(requirement, 1.0, "no other contact", "none")
 
 
-CHECKS = {"contact": contact, "part": part, "no_other_contact": no_other_contact}
+CHECKS = {"contact": contact, "brakes_before": brakes_before, "part": part, "no_other_contact": no_other_contact}

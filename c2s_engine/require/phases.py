@@ -8,6 +8,7 @@ import numpy as np
 from c2s_engine.require import moments
 from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
 from c2s_engine.require.geometry import box_distance
+from c2s_engine.require.outcome import struck
 from c2s_engine.require.results import between, decided, scored, span, unknown
 from c2s_engine.require.scene import Scene, bounds, kmh, shown_by
 from c2s_engine.structure.facts import EGO
@@ -49,6 +50,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
             values["after"] = before[actor]
         if (change := _change(scene, actor, i)) is not None:
             values["change"] = change
+        if phase.action == "stop" and any(actor in pair for pair in struck(scene)):
+            values["rolls_out"] = True
         if phase.duration is not None and scene.stated(_cid(actor), f"{path}.duration"):
             values["duration"] = low(phase.duration)
         towards = f" ({scene.named(phase.target)})" if phase.target else ""
@@ -169,6 +172,7 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
     """When an actor shows an action: the first time after what is said before, else the first at all."""
     if action in BY_SPEED:
         v = requirement.values
+        motion = motion.beyond_contact if "rolls_out" in v else motion
         times = by_speed(motion, action, float(v.get("duration", 1.0)), float(v.get("change", np.inf)))  # type: ignore[arg-type]
     else:
         partners = {o.name for o in evidence.members(requirement.other)} if requirement.other else None
@@ -241,6 +245,7 @@ def _missed(requirement: Requirement, evidence: Evidence, motion: Motion, action
         drop = float((np.maximum.accumulate(motion.smooth) - motion.smooth).max())
         margin = min(-0.05, (drop - bounds()["phase"]["change"]["value"]) / 2)
     elif action == "stop":
+        motion = motion.beyond_contact if "rolls_out" in requirement.values else motion
         margin = min(-0.05, -float(motion.speed.min()) / 5)
     elif action == "collide" and (other := evidence.motion(requirement.other or EGO)):
         n = min(len(motion.x), len(other.x))

@@ -181,8 +181,8 @@ def begins_when(requirement: Requirement, evidence: Evidence) -> Result:
         return decided(requirement, False, said, f"at {seen:.1f} s, and that never comes about", seen)
     due = since + float(v["delay"])  # type: ignore[arg-type]
     begun = moments.onset(motion, str(v["action"]), seen)
-    if v["action"] == "stop" and v["watched"] == "place" and float(v["value"]) <= 0:  # type: ignore[arg-type]
-        # it stands there, having slowed down before
+    if v["action"] == "stop" and (v["watched"] == "contact" or v["watched"] == "place" and float(v["value"]) <= 0):  # type: ignore[arg-type]
+        # it stands there, or comes to rest then, having slowed down before
         begun = min(max(begun, due), seen)
     return _follows(requirement, begun, due, said, f"{begun:.1f} s, that at {since:.1f} s")
 

@@ -130,10 +130,13 @@ def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator
             by_place = isinstance(spec, ObjectSpec) and spec.placement.position in APPROACH_ANGLE
             late = phase.action == "brake" and any(p.action == "collide" for p in spec.phases[i + 1 : i + 2])
             timed = cid in usual.later or by_place or late
-            untimed = is_open(f"phases.{i}.trigger", phase.trigger) and not timed
+            by_contact = late and phase.rate is None  # that says how hard it brakes
+            before_it = [p.action for p in spec.phases[i + 1 : i + 3] if p.trigger is None] == ["brake", "collide"]
+            untimed = is_open(f"phases.{i}.trigger", phase.trigger) and not timed and not before_it
             hits = any(p.action == "collide" and (p.speed is not None or p.pace) for p in spec.phases[i + 1 : i + 2])
             if phase.action != "accelerate" or not hits:  # that says how fast it is by then
-                yield from _of_phase(cid, i, phase, speed, untimed, is_open)
+                own = _of_phase(cid, i, phase, speed, untimed, is_open)
+                yield from (u for u in own if not (by_contact and u.path.endswith("rate")))
     if isinstance(spec, ObjectSpec) and cid in usual.gaps and is_open("placement.gap", spec.placement.gap):
         yield Unknown(cid, "placement.gap", usual.gaps[cid])
     if isinstance(spec, ObjectSpec) and cid in usual.later and is_open("placement.later", spec.placement.later):

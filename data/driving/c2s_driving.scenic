@@ -195,6 +195,8 @@ def comes_over(points, metres, size, others):
         return line.distance(shapely.geometry.Polygon(ends)) < 1
     return next((stretch[k] for k in range(len(stretch)) if over(k)), metres)
 
+FORESEEN = 0.45  # s before one is in its way at which another brakes for it, too late
+
 CORNERS = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
 
 def lead_to_touch(points, own, spot, strikes, others, far, other_spot, struck, late=0):
@@ -206,7 +208,7 @@ def lead_to_touch(points, own, spot, strikes, others, far, other_spot, struck, l
     def driven(way, known, seconds):
         return along_way(way, numpy.interp(seconds, known[1], known[0]))
     one = driven(points, own, begin + leads + time)
-    braked = time + begin + leads - numpy.interp(comes_over(points, spot, strikes.size, others), *own) if late else 0
+    braked = time + begin + leads - numpy.interp(comes_over(points, spot, strikes.size, others), *own) + FORESEEN if late else 0
     slowed = numpy.interp(other_begin + time, far[1], far[0]) - late / 2 * numpy.maximum(braked, 0) ** 2
     two = along_way(others, slowed + 0 * leads)
     hit = overlapping(one, strikes.size, two, struck.size)
@@ -250,9 +252,10 @@ def _start_to_meet(lane, points, speed, others, from_, other_speed, ahead=0, cle
 
 start_to_meet = distributionFunction(_start_to_meet)
 
-def _setting_out_to_meet(lane, points, before, speed, other_lane, others, other_speed, strikes=None, struck=None):
+def _setting_out_to_meet(lane, points, before, speed, other_lane, others, other_speed, strikes=None, struck=None,
+                         late=0):
     """How far (m) another is from the end of `other_lane` when a car that stands with its middle `before` m before the
-    stop line of its `lane` has to set out for `speed` to meet it; `strikes` and `struck` as of `start_to_meet`."""
+    stop line of its `lane` has to set out for `speed` to meet it; `strikes`, `struck` and `late` as of `start_to_meet`."""
     (_, spot, _), (_, other_spot, _) = conflict(lane, points, others)
     far, times = driving_times(others, other_speed)
     begin = stop_line(lane) - before
@@ -260,7 +263,7 @@ def _setting_out_to_meet(lane, points, before, speed, other_lane, others, other_
     if strikes:
         own = numpy.arange(begin, begin + 60, 1.0)
         known = own, [setting_out(metres - begin, speed) for metres in own]
-        time += lead_to_touch(points, known, spot, strikes, others, (far, times), other_spot, struck)
+        time += lead_to_touch(points, known, spot, strikes, others, (far, times), other_spot, struck, late)
     there = numpy.interp(numpy.interp(other_spot, far, times) - time, times, far)
     return float(max(1, other_lane.centerline.length - there))
 
@@ -869,16 +872,20 @@ def need(car, other):
     return max(least, closing ** 2 / (2 * max(gap - 2 - 0.5 * max(motion.y, 0), 0.3)))
 
 def into(car, other, speed):
-    """The deceleration (m/s2) at which `car` reaches `other` at `speed` (m/s), if that goes on as it does."""
-    rest = max(gap(car, other) - 0.2, 0.5)
-    return max(0.1, ((car.speed - other.speed) ** 2 - max(speed - other.speed, 0) ** 2) / (2 * rest))
+    """The deceleration (m/s2, no more than tyres hold) at which `car` reaches `other`, ahead of it or about to be, at `speed`
+    (m/s), if that goes on as it does."""
+    across, own = abs(math.sin(other.heading - car.heading)), other.velocity.rotatedBy(-car.heading).y
+    long = (car.length + other.width * across + other.length * (1 - across)) / 2
+    rest = max((other.position - car.position).rotatedBy(-car.heading).y - long - 0.2, 0.5)
+    return max(0.1, min(8, ((car.speed - own) ** 2 - max(speed - own, 0) ** 2) / (2 * rest)))
 
 CLOSE = 2.5  # s behind another within which one brakes as soon as that does
 
-def in_way(points, other, room=1):
-    """Whether `other` is within `room` m of the middle of a way, its points."""
-    line = shapely.geometry.LineString([(p.x, p.y) for p in points])
-    return line.distance(_box(other)) < room
+def in_way(points, other, room=1, seconds=0):
+    """Whether `other` is within `room` m of the middle of a way, its points, or comes there in so many seconds."""
+    line, box = shapely.geometry.LineString([(p.x, p.y) for p in points]), _box(other)
+    there = shapely.affinity.translate(box, other.velocity.x * seconds, other.velocity.y * seconds)
+    return line.distance(box.union(there).convex_hull if seconds else box) < room
 
 REACTION_TIME = 0.3  # s from when somebody comes into view to a reaction
 
@@ -1162,11 +1169,13 @@ SHORT, LONG = 60, 140  # m: ways of others that are shorter go on over the roads
 
 class From(object):
     """A way by which others reach ego's junction: from ego's `side` ('left', 'right', 'opposite', or the 'ring' of a roundabout), going by `turn` over
-    it; with a `sign` ('stop', 'yield') if one is said; over a lane of `length` m at least. `passed`: somebody waits
+    it; with a `sign` ('stop', 'yield') if one is said, with none where there is such a way for who has `priority`; over
+    a lane of `length` m at least. `passed`: somebody waits
     there whom others pass: in the lane `place.left_pocket`, `left_pocket_offset` m to the left of its middle.
     """
-    def __init__(self, side, turn=STRAIGHT, sign=None, length=0, passed=False):
+    def __init__(self, side, turn=STRAIGHT, sign=None, length=0, passed=False, priority=False):
         self.side, self.turn, self.sign, self.length, self.passed = side, turn, sign, length, passed
+        self.priority = priority
 
     def lane_to(self, way, roundabout=False):
         """The lane by which it comes to the junction of ego's way, or None."""
@@ -1247,7 +1256,9 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
         ways = [Place(m.startLane, m) for m in found if facts.controlled(m.intersection, unregulated)]
         places = _at_junctions(ways, approach, exit, limit, lanes, others, across=across)
         if places:
-            return places
+            return [place for place in places if not any(
+                other.priority and facts.sign(lane, place.turn.intersection)
+                for other, lane in zip(others, place.others))] or places
     return []
 
 def roundabouts(approach=0, exit=0, others=(), arms_within=100, limit=None, across=False, leaving=0, **lanes):

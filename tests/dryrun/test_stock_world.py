@@ -198,11 +198,14 @@ def test_lights_go_through_their_phases_and_agree(run):
     assert not any("2" in g and "7" in g for g in greens)
 
 
-def test_collisions_end_the_run_a_second_later(run):
+def test_collisions_end_the_run_when_those_in_them_stand(run):
     extra = "blocked = new Car following lane.orientation from ego for 20"
     done = run(program("take SetSpeedAction(15)", extra=extra), seconds=10)
     assert done.ended_by == "collision"
-    assert done.duration == pytest.approx(done.recording.contacts[0][0] + 1.0, abs=0.15)
+    rolls_out = 15 / 2 / 6  # both take half of its speed, and lose 6 m/s2
+    assert done.duration == pytest.approx(done.recording.contacts[0][0] + rolls_out, abs=0.15)
+    slow = run(program("take SetSpeedAction(5)", extra=extra), seconds=10)
+    assert slow.duration == pytest.approx(slow.recording.contacts[0][0] + 1.0, abs=0.15), "a second at least"
     low = "thing = new Prop following lane.orientation from ego for 20, with blueprint 'static.prop.dirtdebris01'"
     assert run(program("take SetSpeedAction(15)", extra=low), seconds=3).ended_by == "time", "driven over"
     tall = "thing = new Prop following lane.orientation from ego for 20, with blueprint 'static.prop.streetbarrier'"

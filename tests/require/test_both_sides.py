@@ -112,6 +112,18 @@ ENTERS = ObjectSpec(placement=Placement(position="crossing_right"))
 YIELDS = EgoSpec(phases=(Phase(action="yield", target="O1"),))
 SLOWS_AT_LINE = {"speed": ramp((0, 10), (2, 10), (8, 0), (9, 0), (11, 8), (12, 8)), "marks": (LINE,)}
 IN_JUNCTION = (Stay(time=0.0, lane=2, kind="junction", to_ego="crossing"),)
+CROSSES = s(ObjectSpec(placement=Placement(position="crossing_left")), ego=YIELDS, place=PlaceSpec(kind="intersection"))
+STANDS_AT_LINE = {"speed": ramp((0, 10), (1, 10), (3, 0), (9.5, 0), (10.5, 8), (12, 8)), "y": 28.0}
+
+
+def comes_by(x: float) -> Actor:
+    """Somebody from the left over ego's junction, so far (m) before ego's lane at first."""
+    return other(x=x, y=65.0, across=True, stays=IN_JUNCTION)
+
+
+CRASHES_ANYWAY = s(ObjectSpec(placement=Placement(position="crossing_left"), phases=(Phase(action="collide"),)),
+                   ego=EgoSpec(reaction="brake", react_to="O1"))  # fmt: skip
+STOPS_AFTER_IT = EgoSpec(phases=(Phase(action="collide", target="O1"), Phase(action="stop")))
 MERGE = (Mark(kind="merge", start=20.0, end=80.0, name="1"),)
 AT_END = EgoSpec(phases=(Phase(action="brake", speed=2.0, trigger=Trigger(kind="place", place="merge_end")),))
 ROUND = EgoSpec(phases=(Phase(action="go_straight"), Phase(action="stop")))
@@ -151,6 +163,34 @@ CASES = [
         s(ObjectSpec(placement=Placement(position="circulating")), ego=YIELDS, place=RING),
         Scene([ego(**SLOWS_AT_LINE), other(x=-40.0, y=65.0, speed=3.0, across=True, stays=IN_JUNCTION)]),
         Scene([ego(**SLOWS_AT_LINE), other(x=5.0, y=65.0, speed=3.0, across=True, stays=IN_JUNCTION)]),
+    ),
+    (
+        "stands for one that is near then",
+        "E.gives_way.O1",
+        CROSSES,
+        Scene([ego(**STANDS_AT_LINE), comes_by(-90.0)]),
+        Scene([ego(**STANDS_AT_LINE), comes_by(-104.0)]),
+    ),
+    (
+        "stands for one that has not gone by",
+        "E.gives_way.O1",
+        CROSSES,
+        Scene([ego(**STANDS_AT_LINE), comes_by(-30.0)]),
+        Scene([ego(**STANDS_AT_LINE), comes_by(-20.0)]),
+    ),
+    (
+        "brakes before it is struck",
+        "E.reaction.O1.before",
+        CRASHES_ANYWAY,
+        Scene([ego(speed=ramp((0, 10), (3, 10), (4, 8.5), (12, 8.5))), other()], contacts=(HIT,)),
+        Scene([ego(speed=ramp((0, 10), (3.6, 10), (4, 9.4), (12, 0))), other()], contacts=(HIT,)),
+    ),
+    (
+        "rolls out and stands after a contact",
+        "E.phases.1.stop",
+        s(ObjectSpec(), ego=STOPS_AFTER_IT),
+        Scene([ego(speed=ramp((0, 10), (4, 8), (6, 0), (12, 0))), other()], contacts=(HIT,)),
+        Scene([ego(speed=ramp((0, 10), (4, 8), (12, 3))), other()], contacts=(HIT,)),
     ),
     (
         "brakes up to the end of the acceleration lane",

@@ -58,7 +58,8 @@ def _up_to_contact(phases: list[Phase], speed: float) -> list[Phase]:
     hit = next((i for i, p in enumerate(phases) if p.action == "collide"), 0)
     kept = [p for i, p in enumerate(phases) if i >= hit or p.action not in ON_THE_WAY or p.trigger is not None]
     slower = {"trigger": BEFORE_IT, "speed": round(speed / 2, 1)}
-    brakes = [p.action == "brake" and p.trigger is None and i < len(kept) - 1 for i, p in enumerate(kept)]
+    late = bool(hit) and all(p.rate is None for p in kept)  # it brakes, and hits it nevertheless
+    brakes = [p.action == "brake" and not late and p.trigger is None for p in kept[:-1]] + [False] * bool(kept)
     return [p.model_copy(update=slower | ({"speed": p.speed} if p.speed is not None else {})) if b else p
             for p, b in zip(kept, brakes, strict=True)]  # fmt: skip
 

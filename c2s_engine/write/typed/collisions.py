@@ -5,7 +5,7 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
-from c2s_engine.write.typed.tables import LANE_WIDTH, MOVES_OFF_ROAD, is_static
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, MOVES_OFF_ROAD, is_static
 from c2s_engine.write.typed.threats import slowed
 from c2s_engine.write.typed.usual import SETS_OUT, crosses
 
@@ -19,8 +19,12 @@ SETS_OUT_RATE = 2.0
 """m/s2 with which one sets out from its line, as `setting_out_to_meet` of the driving library has it."""
 STOPS_AT = 6
 """m/s2 at which those brake who have hit another."""
-FULL, BUILT_UP = 7.0, 6.0
-"""m/s2 at which one brakes that then touches another slowly, and what that comes to, the pedal's way included."""
+LEFT, SLIDING = 0.35, 0.5
+"""The share of its speed that is left to one that has braked, or slid, as it hits another, nobody says how much."""
+BRAKED = 2.6
+"""m/s by which one has braked that then slides."""
+TRIES = ("brake", "lose_control")
+"""What one does that does not keep it from hitting another."""
 TOO_LATE = 5
 """m/s2 at which one brakes hard, and too late."""
 SIDEWAYS = frozenset(
@@ -41,10 +45,11 @@ def collides(c: Course, p: Phase) -> list[Step]:
     """The steps up to the contact: as it drives until both touch, where paths and times make them; nobody aims."""
     sets_off = not c.value and (c.actor.sets_out or "start" in _before(c, p))
     other, goal = c.actor.ref(p.target), c.wanted(p, SETS_OUT if sets_off else c.value)
-    late = slows_too_late(c, p)
+    if braked := brakes_into(c, p):
+        return [*braked, _stands(c)]
+    if any(q.action in TRIES and q.rate is None and hits_at(c, q) is not None for q in _right_before(c, p)):
+        return [_stands(c)]
     c.set(goal)
-    if late:
-        return [([c.drive(scope.number(goal), FULL)], f"until touch(self, {other})"), _stands(c)]
     beside = _beside_the_lane(c, p) if c.actor.is_ego else ""
     if _over_the_middle(c) or beside == "oncoming_lane":
         return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], f"until touch(self, {other})"), _stands(c)]
@@ -90,6 +95,11 @@ def _from_line(c: Course, line: str, other: str) -> list[Step]:
     return [([*([line] if line else []), *first[0]], first[1]), *rest]
 
 
+def _right_before(c: Course, p: Phase) -> tuple[Phase, ...]:
+    phases = c.actor.spec.phases
+    return phases[: phases.index(p)][-1:] if p in phases else ()
+
+
 def _before(c: Course, p: Phase) -> set[str]:
     """What it does before a phase."""
     phases = c.actor.spec.phases
@@ -102,16 +112,50 @@ def _drives_on(c: Course, other: str) -> list[Step]:
     return [([c.drive(rate=rate)], f"until touch(self, {other})"), _stands(c)]
 
 
-def slows_too_late(c: Course, p: Phase) -> str:
-    """When ego brakes that then hits somebody who crosses, at a speed below its own: so near that full braking takes it
-    down to that; "": it does not."""
-    spec = c.other(p.target)
-    if not c.actor.is_ego or p.action != "collide" or p.speed is None or spec is None or not crosses(spec):
+def hits_at(c: Course, p: Phase) -> float | None:
+    """The speed (m/s) that is left to one that brakes in a phase, too late, as it hits whom it hits then or next; None:
+    it does not brake so. Whose ways cross brake though nothing says to what speed."""
+    hit = hit_after(c, p) if p.action == "collide" or p.action == "brake" and p.rate is None else None
+    cause = {p.target, p.trigger.of if p.trigger else None} - {None}
+    if hit is None or not hit.target or hit is not p and (hit.trigger or not cause <= {hit.target}):
+        return None
+    across = ways_cross(c, hit)
+    said = hit.speed if hit.speed is not None else p.speed
+    open_ = p is hit or p.speed is None and c.actor.is_ego
+    if not across and (open_ or not c.same_lane(hit)) or p is hit and said is None:
+        return None
+    goal = middle(said) if said is not None else (LEFT if p is hit or hit_next(c, p) else SLIDING) * c.value
+    return goal if p is not hit or across and goal < c.value - SLOWER else None
+
+
+def too_late(c: Course, p: Phase) -> str:
+    """Until when one drives on that then brakes and hits somebody nevertheless; "": it brakes as soon as it can."""
+    goal, hit = hits_at(c, p), hit_after(c, p)
+    soon = c.actor.is_ego and not getattr(c.actor.spec, "hard", False)
+    if goal is None or hit is None or soon and not ways_cross(c, hit):
         return ""
-    goal = middle(p.speed)
-    if goal > c.value - SLOWER:
-        return ""
-    return f"until ahead_by({c.actor.ref(p.target)}, self) < (self.speed ** 2 - {round(goal**2)}) / {2 * BUILT_UP:g}"
+    return f"until into(self, {c.actor.ref(hit.target)}, {scope.number(round(goal, 1))}) > {TOO_LATE}"
+
+
+def brakes_into(c: Course, p: Phase) -> list[Step] | None:
+    """Braking by which one has slowed down to what is said, or to `LEFT`, as it hits whom it hits next; None: it does
+    not brake so."""
+    goal, until, hit = hits_at(c, p), too_late(c, p), hit_after(c, p)
+    if goal is None or hit is None:
+        return None
+    other, waits = c.actor.ref(hit.target), [([c.drive()], until)] if until and p.trigger else []
+    slides, speed = hit is not p and hit_next(c, p) is None, scope.number(round(goal, 1))
+    until_then = f"self.speed < {scope.number(round(c.value - BRAKED, 1))}" if slides else f"touch(self, {other})"
+    c.set(goal)
+    c.value = goal
+    return [*waits, ([c.drive(speed, f"lambda: into(self, {other}, {speed})")], f"until {until_then}")]
+
+
+def ways_cross(c: Course, hit: Phase) -> bool:
+    """Whether one comes to whom it hits by a way that crosses that one's."""
+    spec = c.other(hit.target)
+    by_road = spec is not None and (crosses(spec) or spec.placement.position in APPROACH_ANGLE)
+    return by_road or bool(c.actor.approach) and hit.target == "ego"
 
 
 def _stands(c: Course) -> Step:
@@ -119,11 +163,18 @@ def _stands(c: Course) -> Step:
 
 
 def sets_out_to_meet(c: Course) -> str:
-    """Until when one waits who stands before the junction and sets out into a collision with ego; "": it does not."""
+    """Until when one waits who stands before the junction and sets out into ego's way; "": it does not."""
     if not c.actor.sets_out:
         return ""
     metres = f"{scope.constant(c.actor.structure, c.actor.cid)}_SETS_OUT"
     return f"until (distance from ego to place.lane.centerline[-1]) < {metres} or {LATE}"
+
+
+def hit_after(c: Course, p: Phase) -> Phase | None:
+    """The collision that a phase is, or that comes after it and what else one tries."""
+    phases = c.actor.spec.phases
+    then = next((q for q in phases[phases.index(p) :] if q.action not in TRIES), None) if p in phases else None
+    return then if then is not None and then.action == "collide" else None
 
 
 def hit_next(c: Course, p: Phase) -> Phase | None:
@@ -131,19 +182,6 @@ def hit_next(c: Course, p: Phase) -> Phase | None:
     phases = c.actor.spec.phases
     later = phases[phases.index(p) + 1 :] if p in phases else ()
     return later[0] if later and later[0].action == "collide" else None
-
-
-def slows_into(c: Course, p: Phase, goal: float, hard: bool) -> list[Step] | None:
-    """Braking, as late as it can be where it is hard, by which one has slowed down to `goal` (m/s) as it hits whom it
-    hits next in its lane, where both that and no rate are said; None: something else is."""
-    hit = hit_next(c, p)
-    if p.speed is None or p.rate is not None or hit is None or not hit.target or hit.trigger or not c.same_lane(hit):
-        return None
-    other = c.actor.ref(hit.target)
-    c.value, into = goal, f"into(self, {other}, {scope.number(goal)})"
-    late = [([c.drive(c.actor.speed)], f"until {into} > {TOO_LATE}")] if hard else []
-    brakes = c.drive(scope.number(goal))[:-1] + f", rate=lambda: {into})"
-    return [*late, ([brakes], f"until touch(self, {other})")]
 
 
 def backs_into(c: Course, other: str, pace: float) -> list[Step]:

@@ -45,7 +45,7 @@ class Actor:
 
     @property
     def sets_out(self) -> bool:
-        """Whether it stands before the junction and sets out into a collision with ego."""
+        """Whether it stands before the junction and sets out into ego's way."""
         return self.cid in self.plan.set_out
 
     @property
@@ -79,12 +79,12 @@ class Course:
     # What is driven.
 
     def drive(
-        self, speed: str | None = None, rate: float | None = None, offset: str = "", shift: float | None = None
+        self, speed: str | None = None, rate: float | str | None = None, offset: str = "", shift: float | None = None
     ) -> str:
         """The `do Drive` at a speed (the one in force), rate (m/s2), offset (m to the left), shift (m/s)."""
         goal = self._guarded(speed if speed is not None else self.cruise())
         rate = rate or (GENTLE if self.actor.spec.type in GENTLY else None)
-        extra = f", rate={scope.number(rate)}" if rate else ""
+        extra = f", rate={rate if isinstance(rate, str) else scope.number(rate)}" if rate else ""
         offset = offset or self.aside
         extra += f", offset={offset}" if offset else ""
         extra += f", shift={scope.number(shift)}" if shift else ""

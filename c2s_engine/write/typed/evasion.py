@@ -4,7 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
-from c2s_engine.write.typed.collisions import Step, hit_next, struck_beside
+from c2s_engine.write.typed.collisions import Step, hit_next, struck_beside, ways_cross
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.passing import BESIDE, NARROW
 from c2s_engine.write.typed.tables import LANE_WIDTH, WIDTH, is_static, is_vehicle, is_walker
@@ -15,6 +15,8 @@ SLIDING = {"snow": 3.0, "rain": 4.5, "heavy_rain": 4.0, "wet": 4.5}
 DRY = 6.0
 PARTLY = 1.8
 """m by which one that slides into the next lane ends beside the middle of its own."""
+ASKEW = 0.8
+"""The same of one that slides straight into another whose way crosses its own."""
 RECOVERS = "for 1.2 seconds"
 ENDS = {"stop", "stationary", "wait"}
 WHERE = {"drift", "swerve", "lane_change", "cut_out", "oncoming"}
@@ -47,7 +49,8 @@ def loses_control(c: Course, p: Phase) -> list[Step]:
     if any(q.action in ("lane_change", "cut_out", "oncoming") for q in later[:1]):
         metres = metres / PARTLY * LANE_WIDTH
     hit = hit_next(c, p)
-    metres = metres / PARTLY * LANE_WIDTH if hit and abs(metres) == PARTLY else metres
+    if hit and abs(metres) == PARTLY:
+        metres = metres / PARTLY * (ASKEW if ways_cross(c, hit) else LANE_WIDTH)
     rate = grip(c.actor.structure, SLIDING, DRY)
     slides = f"do Skid(line, {scope.number(metres)}, {scope.number(rate)})"
     if hit:

@@ -21,6 +21,8 @@ from c2s_engine.write.typed.usual import SETS_OUT, speed_of, turn_of
 
 TOGETHER = (-0.3, 0.3)
 """s between them at the spot where their ways cross, if neither reacts: they would collide."""
+WAITED_FOR = (0.7, 1.3)
+"""s by which one is there before ego, which has stopped for it and would set out."""
 CONTACT = (-0.05, 0.05)
 """s, the same where they do collide, by the parts that touch."""
 NARROWLY = 0.7
@@ -63,7 +65,9 @@ def meeting(structure: Structure, cid: str, plan: Plan) -> Meeting | None:
     if STAYS & {p.action for p in spec.phases}:
         return None
     if ego.reaction != "none" or {"yield", "brake", "stop"} & {p.action for p in ego.phases}:
-        return Meeting(_earlier(TOGETHER, later))
+        gives_way = ego.reaction == "yield" or any(p.action == "yield" for p in ego.phases)
+        stands = gives_way and bool({"stop", "wait"} & {p.action for p in ego.phases})
+        return Meeting(_earlier(WAITED_FOR if stands else TOGETHER, later))
     return Meeting(clear=(NARROWLY if plan.place.manoeuvre == "straight" else -NARROWLY) - later)
 
 
@@ -118,10 +122,12 @@ def sets_out(structure: Structure, cid: str, plan: Plan, lane: str, line: str) -
     assert isinstance(spec, ObjectSpec)
     own = middle(speed_of(spec, plan.place))
     speed = f"{prefix}_SPEED" if own > 0 else scope.number(SETS_OUT)
+    touch = hits_ego(spec) or is_hit(structure.ego.spec, cid)  # type: ignore[arg-type]
+    parts = _parts(contact(structure, cid)) + _too_late(structure, cid) if touch else ""
     return [
         f"{prefix}_SETS_OUT = setting_out_to_meet(",
         f"    {lane}, {line}, {scope.number(1 + LENGTH[spec.type] / 2)}, {speed},",
-        f"    place.lane, {way_of_ego(plan)}, EGO_SPEED{_parts(contact(structure, cid))})"
+        f"    place.lane, {way_of_ego(plan)}, EGO_SPEED{parts})"
         "  # m from ego to the junction",
     ]
 
@@ -155,7 +161,7 @@ def _egos_way(structure: Structure, plan: Plan) -> tuple[str, str] | None:
     own = ego.model_copy(update={"phases": reacting_phases(ego, threatening(structure), structure, plan)})
     phases = behaviour.phases_of(Actor("E", own, structure, plan, "", 0, "EGO_SPEED", plan.ego_speed))
     speed, more = "EGO_SPEED", ""
-    before = list(takewhile(lambda p: p.action not in TURN, phases))  # what it does on its way there
+    before = list(takewhile(_up_to_it, phases))  # what it does on its way there
     standing = next((i for i, p in enumerate(before) if p.action in STANDS_FOR), len(phases))
     if standing < len(phases) and not (standing and plan.ego_speed <= 0):
         held = _stands_for(phases[standing:])
@@ -170,13 +176,19 @@ def _egos_way(structure: Structure, plan: Plan) -> tuple[str, str] | None:
     return f"{way_of_ego(plan)}, EGO_AT, {speed}", more
 
 
+def _up_to_it(phase: Phase) -> bool:
+    """Whether one does that before it is in the junction, or touches anybody."""
+    return phase.action not in TURN and not (phase.trigger and phase.trigger.kind == "contact")
+
+
 def _stands_for(phases: list[Phase]) -> float | None:
-    """How long one stands (s) that begins so; None where that is not known before the run."""
+    """How long one stands (s) that begins so until it would go on, or lets another pass; None where that is not known
+    before the run."""
     held = 0.0
     for phase in phases:
-        if phase.action not in STANDS_FOR:
-            known = phase.trigger is None and phase.action != "yield"
-            return held if known else None
+        gives_way = phase.action == "yield" or any(t and t.kind == "passed" for t in (phase.trigger, phase.until))
+        if gives_way or phase.action not in STANDS_FOR:
+            return held if gives_way or phase.trigger is None else None
         held += middle(phase.duration) if phase.duration is not None else STANDS_FOR[phase.action]
     return None
 

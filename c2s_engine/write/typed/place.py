@@ -96,6 +96,8 @@ def _from(plan: Plan, position: str, turn: str) -> str:
         arguments.append(turn)
     if position in plan.stops:
         arguments.append("sign='stop'")
+    elif position in plan.priority:
+        arguments.append("priority=True")
     if length := plan.lengths.get(approach_name(plan, position, turn), 0.0):
         arguments.append(f"length={_metres(length)}")
     if (position, turn) in plan.pockets:

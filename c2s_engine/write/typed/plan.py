@@ -27,11 +27,12 @@ class Plan:
     single: bool = False  # a road with one lane each way
     ramp: bool = False
     stops: tuple[str, ...] = ()  # positions of those who pass a stop sign of their own
+    priority: tuple[str, ...] = ()  # positions of those who cross and need not stop where ego has a sign
     exit_room: float = 0.0  # m of lane wanted behind the junction; 0: nobody stands there
     reach: float = 0.0  # m that objects take of ego's road ahead of its start
     lengths: dict[str, float] = field(default_factory=dict)  # m that rows take of lanes that end where they meet ego's
     lane_of: dict[str, int | None] = field(default_factory=dict)  # object id -> lane offset at the start
-    set_out: frozenset[str] = frozenset()  # who stand before the junction and set out into a collision with ego
+    set_out: frozenset[str] = frozenset()  # who stand before the junction and set out into ego's way
     parked: bool = False  # whether somebody is: on a road with a parking lane or shoulder, where the map has one
     also: tuple[str, ...] = ()  # manoeuvre types by which others leave ego's lane
     across: bool = False  # whether ego may start on the other side of another junction, where roads are short

@@ -22,6 +22,8 @@ BEFORE_CHANGE = 3.0
 """s that ego drives before the light changes."""
 USUAL, LONG = 20.0, 45.0
 """s after which a run ends at the latest; the same round a roundabout and over an acceleration lane."""
+STAYS = {"stop", "wait", "stationary", "yield", "run_stop"}
+"""What those do at the junction who have no priority there."""
 FAST = 11.5
 """m/s at which nobody comes up to a stop sign of their own."""
 
@@ -67,7 +69,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     duration = getattr(restrictions, "duration", None) or (LONG if far else USUAL)
     kind = place.model_copy(update={"kind": "on_ramp"}) if ramp else place
     met = frozenset(cid for cid, o in crossing.items() if hits_ego(o) or is_hit(ego, cid))
-    set_out = frozenset(cid for cid in met if _sets_out(objects[cid]))
+    set_out = frozenset(c for c, o in crossing.items() if _sets_out(o) and (c in met or _forces(ego, c, o)))
     way = rooms.distance(kind, top, ego, objects, room, bool(set_out))
     plan = Plan(
         place=place,
@@ -84,6 +86,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         pocketed=passed,
         pockets=tuple(sorted({ways[by] for by in passed.values()})),
         stops=tuple(sorted({o.placement.position for o in objects.values() if _runs_stop(o)} & APPROACH_ANGLE.keys())),
+        priority=_priority_roads(place, objects),
         oncoming=oncoming,
         single=two_way and offsets == {0} and getattr(structure.place.spec, "lanes", None) in (None, 1),
         ramp=ramp,
@@ -154,10 +157,24 @@ def _runs_stop(o: ObjectSpec) -> bool:
     return any(p.action == "run_stop" for p in o.phases)
 
 
+def _priority_roads(place: PlaceSpec, objects: dict[str, ObjectSpec]) -> tuple[str, ...]:
+    """The positions by which only those come, where ego has a stop or yield sign, who neither stop nor give way."""
+    waits = {o.placement.position for o in objects.values() if STAYS & {p.action for p in o.phases}}
+    crossing = {o.placement.position for o in objects.values()} & {"crossing_left", "crossing_right"}
+    return tuple(sorted(crossing - waits)) if place.control in ("stop", "yield") else ()
+
+
 def _sets_out(o: ObjectSpec) -> bool:
     """Whether one who comes by another road first stands and then goes on."""
     actions = [p.action for p in o.phases]
     return o.placement.position in APPROACH_ANGLE and actions[:1] in (["stop"], ["wait"], ["stationary"])
+
+
+def _forces(ego: EgoSpec, cid: str, o: ObjectSpec) -> bool:
+    """Whether one that sets out at the junction does so before ego, which drives and answers to it."""
+    drives = ego.speed != 0 and not STAYS & {p.action for p in ego.phases}
+    answers = ego.reaction in ("brake", "yield") and ego.react_to == cid
+    return drives and answers and not any(p.trigger for p in o.phases)
 
 
 def _priority(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> bool:

@@ -161,7 +161,9 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     brakes = f"do Drive(line, 0, rate={rate}) until {_force(seen)} <= 0{near}" if seen else ""
     lines = _around(statements, seen, 6, brakes, when=far)
     pairs = zip(spec.phases, spec.phases[1:], strict=False)
-    braked = {then.target for p, then in pairs if p.action == "brake" and p.speed and then.action == "collide"}
+    own = [(p, then.target) for p, then in pairs if (p.action, then.action) == ("brake", "collide")
+           and p.target in (None, then.target)]  # fmt: skip
+    braked = {hit for p, hit in own if p.speed or p.rate is None and _crosses(s, str(hit))}
     slowed = {p.target for p in spec.phases if p.action == "collide" and p.speed is not None}
     by_way = {c for c in met if c in braked or c in slowed and _crosses(s, c)}  # its way says how it brakes
     movers = [c for c in met if c not in by_way and not (_beside(s, c) and _stands(s, c))]
@@ -170,7 +172,8 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
         need = f"need(self, {one})"
         when, until = f"{need} > 6", f"{need} <= 0"
         if _crosses(s, c):
-            when, until = f"in_way(line, {one})", f"not in_way(line, {one})"
+            when = f"in_way(line, {one}, seconds=FORESEEN)"
+            until = f"not {when}"
         lines += [f"interrupt when {when}:", f"    do Drive(line, {STILL}, rate={rate}) until {until}"]
     return lines if others or movers else statements
 

@@ -8,10 +8,10 @@ from c2s_engine.write.typed import lateral, scope, traffic
 from c2s_engine.write.typed.collisions import (
     Step,
     backs_into,
+    brakes_into,
     collides,
     hit_next,
     sets_out_to_meet,
-    slows_into,
     struck_beside,
 )
 from c2s_engine.write.typed.course import Course
@@ -102,14 +102,14 @@ def _hard(c: Course) -> bool:
 
 
 def _brake(c: Course, p: Phase) -> list[Step]:
+    if (into := brakes_into(c, p)) is not None:
+        return into
     rate = middle(p.rate) if p.rate else (6 if _hard(c) else 3)
     full = (
         rate >= FULL and not c.actor.is_ego and p is c.actor.spec.phases[-1]
     )  # who slams the brakes on comes to a stand
     goal = c.wanted(p, 0.0 if full else c.value / 2)
     c.set(goal)
-    if (into := slows_into(c, p, goal, _hard(c))) is not None:
-        return into
     c.value = goal or c.value
     drive = c.drive(scope.number(goal), rate)
     return [([drive], ending(p, f"until self.speed < {scope.number(goal + 0.5)}"))]

@@ -4,7 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import ahead, lateral, scope, traffic
-from c2s_engine.write.typed.collisions import hit_beside, hit_next, slows_too_late
+from c2s_engine.write.typed.collisions import hit_beside, hit_next, too_late
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.facing import AHEAD
 from c2s_engine.write.typed.overtakings import pulls_out
@@ -26,8 +26,6 @@ from c2s_engine.write.typed.watching import METRES, watched, watches
 
 CAN_STOP = 10
 """Twice the m/s2 at which one stops for a light that changes."""
-TOO_LATE = 1.5
-"""s before the contact at which one brakes who then hits another."""
 BEFORE_IT = 2.0
 """m before a crosswalk by which one has slowed down for it."""
 TO_END = 6.0
@@ -84,7 +82,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     said = phase.trigger is not None or phase.action == "stop" and phase.clearance is not None
     if said or before and before[-1].action == "collide" or held_for(course, phase):
         return ""
-    if until := slows_too_late(course, phase):
+    if until := too_late(course, phase):
         return until
     if first and (until := comes_out(a.structure, a.cid, a.plan, phase, course.wanted(phase, a.value or 2))):
         return until
@@ -130,8 +128,6 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return f"until (distance from self to {obstacle}) < 12 + 2 * self.speed"
     if phase.action == "u_turn" and first and not a.is_ego and (course.oncoming or a.value <= 0):  # in front of ego
         return f"until (distance from self to ego) < {scope.number(12 + 2.2 * (a.value + a.plan.ego_speed))}"
-    if phase.action == "brake" and not a.is_ego and not a.approach and (hit := hit_next(course, phase)):  # too late
-        return f"until ttc(self, {a.ref(hit.target)}) < {scope.number(TOO_LATE)}"
     if first and phase.action in ("brake", "stop") and _comes_over(a):
         return "until need(self, ego) > 1"
     if phase.action == "yield" and first and in_next_lane(course, phase):

@@ -36,12 +36,17 @@ def required(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
     name, said, cid = scene.named(actor), phase.action.replace("_", " "), "E" if actor == EGO else actor
     if phase.gap is not None and phase.action in (*OVER_LINE, *SLOWS, "follow") and scene.stated(cid, f"{path}.gap"):
         other = phase.target or EGO
-        when = {"follow": "all along"}.get(phase.action, "as it begins" if phase.action in SLOWS else
-                                           "as it comes over the lane line")  # fmt: skip
+        later = phase.action == "follow" and not path.endswith(".0")  # it first has to come to that gap
+        lasting = {"follow": "in the end" if later else "all along"}
+        when = lasting.get(phase.action, "as it begins" if phase.action in SLOWS else "as it comes over the lane line")
         if other != actor:
             yield scene.make("place", "gap_then", actor, f"{path}.gap", f"{name}: {said} {low(phase.gap):g} m from "
                              f"{scene.named(other)}, {when}.", other=other, of=of, action=phase.action,
-                             least=low(phase.gap), most=high(phase.gap))  # fmt: skip
+                             later=later, least=low(phase.gap), most=high(phase.gap))  # fmt: skip
+    lasts = phase.duration is not None and phase.action in OVER_LINE and not phase.abandoned
+    if lasts and scene.stated(cid, f"{path}.duration"):
+        yield scene.make("phase", "lasts", actor, f"{path}.duration", f"{name}: {said} in {low(phase.duration):g} s.",
+                         of=of, least=low(phase.duration), most=high(phase.duration))  # type: ignore[arg-type]  # fmt: skip
     if phase.lateral_speed is not None and phase.action in SIDEWAYS and scene.stated(cid, f"{path}.lateral_speed"):
         yield scene.make("speed", "moves_aside", actor, f"{path}.lateral_speed", f"{name}: {said} at "
                          f"{low(phase.lateral_speed):g} m/s sideways.", of=of, action=phase.action,
@@ -121,17 +126,24 @@ def gap_then(requirement: Requirement, evidence: Evidence) -> Result:
     time = evidence.times.get(str(v["of"]))
     if motion is None or other is None or time is None:
         return unknown(requirement, said, "not reached: it was not seen")
-    if action == "follow":
+    room = max(limits["gap"]["value"], limits["gap_share"]["value"] * most)
+    if v["later"]:
+        when = range(motion.at(time), min(len(motion.x), len(other.x)))
+        gaps = [lengthwise(motion, other, at) for at in when]
+        off = np.abs(np.array(gaps) - np.clip(gaps, least, most))
+        best = int((off < room / 2).argmax()) or int(off.argmin())
+        gap, moment = gaps[best], float(motion.time[when[best]])
+        evidence.times[requirement.id] = moment
+    elif action == "follow":
         when = _while_followed(motion, other, time)
         gaps = [lengthwise(motion, other, at) for at in when]
         gap = gaps[int(np.abs(np.array(gaps) - (least + most) / 2).argmax())]
-        moment: float | None = time
+        moment = time
     else:
-        moment = over_line(motion, time) if action in OVER_LINE else onset(motion, action, time)
-        if moment is None:
+        over = over_line(motion, time) if action in OVER_LINE else onset(motion, action, time)
+        if over is None:
             return unknown(requirement, said, "not reached: it comes over no lane line")
-        gap = lengthwise(motion, other, motion.at(moment))
-    room = max(limits["gap"]["value"], limits["gap_share"]["value"] * most)
+        gap, moment = lengthwise(motion, other, motion.at(over)), over
     return between(requirement, gap, room, said, f"{gap:.1f} m", moment)
 
 
@@ -162,6 +174,20 @@ def moves_aside(requirement: Requirement, evidence: Evidence) -> Result:
     seen = float(np.median(speeds[speeds > 0.5 * speeds.max()]))
     room = limits["lateral"]["value"] + limits["lateral_share"]["value"] * span(requirement)[1]
     return between(requirement, seen, room, said, f"{seen:.1f} m/s", time)
+
+
+def lasts(requirement: Requirement, evidence: Evidence) -> Result:
+    """From when it begins to move aside until it is in the middle of the other lane."""
+    limits, said = bounds()["phase"], words(requirement, "s")
+    motion, time = evidence.motion(requirement.actor), evidence.times.get(str(requirement.values["of"]))
+    if motion is None or time is None:
+        return unknown(requirement, said, "not reached: it was not seen")
+    first, last = motion.at(time - LONGEST), motion.at(time + LONGEST)
+    moved = np.abs(beside(motion)[first : last + 1] - beside(motion)[first])
+    begins, ends = (int((moved > far).argmax()) for far in (BEGUN / 2, min(moved.max(), LANE) - BEGUN))
+    room = limits["lasts"]["value"] + limits["lasts_share"]["value"] * span(requirement)[1]
+    seen = (ends - begins) * motion.step
+    return between(requirement, seen, room, said, f"{seen:.1f} s", float(motion.time[first + begins]))
 
 
 def delayed(requirement: Requirement, evidence: Evidence) -> Result:
@@ -245,4 +271,4 @@ def halts_before(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 CHECKS = {"halts_before": halts_before, "gap_then": gap_then, "moves_aside": moves_aside, "delayed": delayed,
-          "breaks_off": breaks_off}  # fmt: skip
+          "breaks_off": breaks_off, "lasts": lasts}  # fmt: skip

@@ -28,6 +28,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
         return
     then = [f"{'E' if actor == EGO else actor}.phases.{i}.{p.action}" for actor, i, p in scene.phases()
             if i and p.action in ("follow", "stationary", "wait")]  # fmt: skip
+    then += [key.removesuffix("follow") + "gap" for key in then if key.endswith("follow")]  # it has come to that
     timed = max((high(p.trigger.value) for _, _, p in scene.phases()
                  if p.trigger and p.trigger.kind == "time" and p.trigger.value is not None), default=0.0)  # fmt: skip
     if any(p.trigger and p.trigger.place == "merge_end" for _, _, p in scene.phases()):

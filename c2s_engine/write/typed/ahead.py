@@ -4,7 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
 from c2s_engine.write.typed.contradictions import ResolveError
-from c2s_engine.write.typed.lateral import LATERAL, shift_of, sideways, to_line
+from c2s_engine.write.typed.lateral import LATERAL, said, shift_of, sideways, to_line
 from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, WIDTH, is_static
 from c2s_engine.write.typed.usual import UNDISTURBED, default_gap, speed_of
 
@@ -171,7 +171,7 @@ def revealing(structure: Structure, cid: str, i: int, phase: Phase) -> Structure
         left = sideways(out, shift) + CLEAR
     else:
         left = ttc
-        while phase.lateral_speed is None and shift < 3.5 and sideways(out, shift) + CLEAR / 2 > left:
+        while said(phase) is None and shift < 3.5 and sideways(out, shift) + CLEAR / 2 > left:
             shift = round(shift + 0.1, 1)
     if sideways(out, shift) > left:
         raise ResolveError(

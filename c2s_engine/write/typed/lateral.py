@@ -12,6 +12,8 @@ SIDEWAYS = 3.0
 """m/s2 at which that is gained, as in the driving library."""
 ANSWERS = 0.1
 """s until the body goes where the wheels point."""
+SETTLED = 0.3
+"""m from the middle of its lane within which one is in it."""
 LATERAL = {"cut_in", "cut_out", "lane_change"}
 """What has its moment as it comes over the lane line."""
 
@@ -29,9 +31,20 @@ def to_line(kind: str, phase: Phase) -> float:
     return sideways(max((LANE_WIDTH - WIDTH[kind]) / 2, 0.0), shift_of(phase)) + ANSWERS
 
 
+def said(phase: Phase) -> float | None:
+    """m/s at which S has one move sideways in a phase, by itself or by how long the change of lane lasts; None: it does
+    not say."""
+    if phase.lateral_speed is not None:
+        return middle(phase.lateral_speed)
+    if phase.duration is None or phase.action not in LATERAL or phase.abandoned:
+        return None
+    lasts = middle(phase.duration) - ANSWERS
+    return next((s / 10 for s in range(30, 4, -1) if sideways(LANE_WIDTH - 2 * SETTLED, s / 10) >= lasts), 0.4)
+
+
 def shift_of(phase: Phase) -> float:
     """m/s at which one moves sideways in a phase."""
-    return middle(phase.lateral_speed) if phase.lateral_speed is not None else SHIFT
+    return said(phase) or SHIFT
 
 
 def headway(gap: float, speed: float) -> tuple[float, float]:

@@ -208,7 +208,7 @@ def _lane_change(c: Course, p: Phase) -> list[Step]:
     side, goal = _side(p, 1), c.wanted(p, _moving(c))
     if p.abandoned:
         return _back_again(c, p, side)
-    shift = middle(p.lateral_speed) if p.lateral_speed is not None else None
+    shift = lateral.said(p)
     over = HITS_SOON if hit_next(c, p) else _until_over(p)
     narrow = c.lane is not None and len(c.actor.plan.offsets) == 1 and not c.on_ramp
     if narrow or c.oncoming:  # by the lane of the other direction, or the verge
@@ -227,7 +227,7 @@ def _cut_in(c: Course, p: Phase) -> list[Step]:
     if p.abandoned:
         return _back_again(c, p, 1 if to > (c.lane if c.lane is not None else -1) else -1)
     c.lane = to
-    shift = middle(p.lateral_speed) if p.lateral_speed is not None else None
+    shift = lateral.said(p)
     drive = c.drive(c.set(c.wanted(p, c.actor.value or _moving(c))), shift=shift)
     over = HITS_SOON if hit_next(c, p) else _until_over(p)
     return [([c.along_lane(), drive], ending(p, over))]

@@ -165,6 +165,8 @@ def _met(structure: Structure, cid: str, i: int, phase: Phase) -> Structure:
     if pair is None or not wanted or _sideways_into(structure, cid, i):
         return structure
     at = structure[pair.placed].spec.placement  # type: ignore[union-attr]
+    if phase.action == "follow" and (phase.trigger is not None or at.position not in ("ahead", "behind")):
+        return structure  # it comes to that gap
     front = _in_front(structure, pair, phase)
     time = _time(structure, cid, phase)
     if phase.gap is None and phase.trigger is not None and phase.trigger.kind not in ("time", "action"):

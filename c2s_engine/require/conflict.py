@@ -113,10 +113,18 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if reacts and scene.ego.reaction != "follow":
             others = tuple(a for a in scene.objects if a != actor)
             beside: dict[str, Value] = {"others": others} if others else {}
+            beside |= _cue(scene, actor)
             yield scene.make("reaction", "reacts", EGO, f"reaction.{actor}", f"Ego reacts to {name} once it can be "
                              "seen, in time, and not before.", other=actor,
                              action=_onset_of(scene, actor), hard=scene.ego.hard,
                              **beside)  # type: ignore[arg-type]  # fmt: skip
+
+
+def _cue(scene: Scene, actor: str) -> dict[str, Value]:
+    """What another than the threat does that S has ego wait for before it answers: that is cause enough."""
+    waits = (p.trigger for p in scene.ego.phases if answers(p, scene.structure) and p.trigger is not None)
+    told = next((t for t in waits if t.kind == "action" and t.of not in (None, EGO, actor) and t.action), None)
+    return {"cue": str(told.of), "its": str(told.action)} if told is not None else {}
 
 
 def _turns_off(scene: Scene, actor: str) -> bool:
@@ -305,6 +313,9 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
     if time is None:
         return scored(requirement, -1.0, said, "ego does not react")
     causes = [cause for m in members if (cause := _cause(m, str(requirement.values["action"]))) is not None]
+    if causes and "cue" in requirement.values:
+        cues = (_cause(m, str(requirement.values["its"])) for m in evidence.motions(str(requirement.values["cue"])))
+        causes += [cue for cue in cues if cue is not None]
     time = _next_reaction(requirement, evidence, time, min(causes, default=0.0))
     if not causes:
         return scored(requirement, -1.0, said, f"ego reacts at {time:.1f} s to what it never could see", time)

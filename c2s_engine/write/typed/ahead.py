@@ -161,16 +161,24 @@ def revealing(structure: Structure, cid: str, i: int, phase: Phase) -> Structure
     if stands is None or not isinstance(spec, ObjectSpec):
         return structure
     trigger, place, thing = phase.trigger, structure.place.spec, stands.spec
+    assert isinstance(thing, ObjectSpec) and isinstance(place, PlaceSpec)
+    if phase.action != "cut_out" and trigger is None and thing.placement.hidden_by != cid:
+        return structure  # it does so in good time
     if trigger is not None and trigger.kind == "distance" and trigger.value is None:  # as near as that can be
         trigger = None
-    assert isinstance(thing, ObjectSpec) and isinstance(place, PlaceSpec)
     speed, out = middle(speed_of(spec, place)), (WIDTH[spec.type] + WIDTH[thing.type]) / 2 + 0.2
-    ttc = middle(trigger.value) if trigger and trigger.kind == "ttc" and trigger.value is not None else None
-    shift = shift_of(phase)
-    if ttc is None:
+    shift, closing = shift_of(phase), speed - (0.0 if is_static(thing) else middle(speed_of(thing, place)))
+    told = _left(structure, cid, stands.id, trigger, closing)
+    if told is None:
         left = sideways(out, shift) + CLEAR
     else:
-        left = ttc
+        left = told
+        over = to_line(spec.type, phase) if trigger.kind == "distance" else 0.0  # type: ignore[union-attr]
+        if sideways(out, shift) + CLEAR / 2 > left and over:  # that near it is over the line, not still in the middle
+            sooner = round(middle(trigger.value) + over * closing, 1)  # type: ignore[union-attr, arg-type]
+            left += over
+            earlier = trigger.model_copy(update={"value": sooner})  # type: ignore[union-attr]
+            structure = with_phase(structure, cid, i, trigger=earlier)
         while said(phase) is None and shift < 3.5 and sideways(out, shift) + CLEAR / 2 > left:
             shift = round(shift + 0.1, 1)
     if sideways(out, shift) > left:
@@ -186,12 +194,30 @@ def revealing(structure: Structure, cid: str, i: int, phase: Phase) -> Structure
     at = thing.placement
     if at.gap is not None or trigger is not None and trigger.kind != "ttc":
         return structure
-    closing = speed - (0.0 if is_static(thing) else middle(speed_of(thing, place)))
     gap = closing * (left + begins(structure, cid))
     if at.of == "ego":
         gap += LENGTH[spec.type] + middle(spec.placement.gap if spec.placement.gap is not None else
                                           default_gap(spec, speed, place))  # fmt: skip
     return structure.with_spec(stands.id, placement=at.model_copy(update={"gap": round(gap, 1)}))
+
+
+def _left(structure: Structure, cid: str, thing: str, trigger: Trigger | None, closing: float) -> float | None:
+    """s that one has to what stands before it as its trigger comes true; None: that does not say how near it is."""
+    if trigger is None or trigger.value is None or trigger.of != thing:
+        return None
+    value = middle(trigger.value)
+    if trigger.kind == "ttc" and trigger.subject in (None, cid):
+        return value
+    if trigger.kind != "distance" or trigger.subject not in (None, cid, "ego") or closing <= 0:
+        return None
+    spec = structure[cid].spec
+    assert isinstance(spec, ObjectSpec)
+    at = spec.placement
+    if trigger.subject == "ego":
+        if at.position != "ahead" or at.of != "ego" or at.gap is None:
+            return None
+        value -= middle(at.gap) + LENGTH[spec.type]
+    return value / closing
 
 
 def stands_before(structure: Structure, cid: str, other: str) -> bool:

@@ -3,7 +3,7 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
-from c2s_engine.write.typed import scope
+from c2s_engine.write.typed import lateral, scope
 from c2s_engine.write.typed.collisions import Step, hit_next, struck_beside
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.passing import BESIDE, NARROW
@@ -24,8 +24,10 @@ SWERVES, OVER = 2.2, 1.3
 WIDE = 2.3
 CLOSE = 0.2
 """m that are left to who passes one that swerves then."""
+SHIFT = 2.5
+"""m/s sideways at which one swerves."""
 PASSING = 2.0
-"""m between a car and whom it passes who is beside its lane."""
+"""m between one that swerves and whom it passes who is beside its lane, or partly in it: else it would hardly move."""
 CAUTION = 0.7
 """The share of its speed at which one goes round what blocks its lane."""
 
@@ -80,12 +82,14 @@ def goes_round(c: Course, p: Phase) -> list[Step]:
     s, target = c.actor.structure, str(p.target)
     free = [step for step in (1, -1) if (c.lane or 0) + step in c.actor.plan.offsets]
     side = {"left": ", 1", "right": ", -1", None: f", {free[0]}" if len(free) == 1 else ""}[p.side]
-    wide = middle(p.clearance) if p.clearance is not None else PASSING if beside_way(s, target) else None
+    partly = (thing := c.other(target)) is not None and thing.placement.position == "partly_in_lane"
+    wide = middle(p.clearance) if p.clearance is not None else PASSING if partly or beside_way(s, target) else None
     room = f", room={scope.number(wide)}" if wide is not None else ""
     aside = f"lambda: way_round(self, line, [{every(s, target)}]{side}{room})"
-    slower = c.speed if p.speed is not None or _small(c, target) else scope.number(CAUTION * c.value)
+    steady = p.speed is not None or _small(c, target) or not c.actor.is_ego
+    slower, shift = c.speed if steady else scope.number(CAUTION * c.value), lateral.said(p) or SHIFT
     past = " and ".join(f"lead_on({one}, self) < -self.length" for one in members(s, target))
-    found = [([c.drive(slower, 4, aside, 2.5)], f"until {past}")]
+    found = [([c.drive(slower, 4, aside, shift)], f"until {past}")]
     if p.side == "left" and (met := _met(s)):  # they make way for it
         stays = c.drive(slower, 4, scope.number(0.8 * LANE_WIDTH))
         found.append(([stays], f"until {' and '.join(f'passed({one}, self, 0)' for one in met)}"))

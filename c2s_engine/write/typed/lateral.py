@@ -9,7 +9,7 @@ from c2s_engine.write.typed.tables import LANE_WIDTH, WIDTH
 SHIFT = 2.2
 """m/s at which lanes are changed where nothing is said, as Drive does."""
 SIDEWAYS = 3.0
-"""m/s2 at which that is gained, as in the driving library."""
+"""m/s2 at which that is gained, as in the driving library; who moves faster, at the last moment, gains it faster."""
 ANSWERS = 0.1
 """s until the body goes where the wheels point."""
 SETTLED = 0.3
@@ -18,10 +18,16 @@ LATERAL = {"cut_in", "cut_out", "lane_change"}
 """What has its moment as it comes over the lane line."""
 
 
+def gained_at(shift: float) -> float:
+    """m/s2 at which one gains so many m/s to the side."""
+    return max(SIDEWAYS, 2 * shift - 2)
+
+
 def sideways(metres: float, shift: float) -> float:
     """s until one has moved so far to the side."""
-    gained = shift**2 / (2 * SIDEWAYS)
-    return math.sqrt(2 * metres / SIDEWAYS) if metres < gained else shift / SIDEWAYS + (metres - gained) / shift
+    rate = gained_at(shift)
+    gained = shift**2 / (2 * rate)
+    return math.sqrt(2 * metres / rate) if metres < gained else shift / rate + (metres - gained) / shift
 
 
 def to_line(kind: str, phase: Phase) -> float:

@@ -75,8 +75,9 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
         limit = CAREFUL
     if "swerve" in forced:  # it gets past first
         return _around(statements, threats, 8, _brakes(threats, HARD))
-    if "lane_change" in forced:
-        return _around(statements, threats, 5, _brakes(threats, HARD, release=2))
+    if "lane_change" in forced:  # where it brakes first it goes on with that on its way over
+        limit = 8 if "brake" in {p.action for p in spec.phases} else 5
+        return _around(statements, threats, limit, _brakes(threats, HARD, release=2))
     on_foot = [c for c in threats_on_foot(actor.structure) if spec.react_to in (None, c)]
     stands = is_stopped(spec) or _ends_standing(actor.structure)
     stops_for = {p.target for p in spec.phases if p.action == "stop"}
@@ -257,7 +258,7 @@ def _gets_past(actor: Actor, cid: str) -> bool:
     """Whether it means to get past what stands ahead of it."""
     if cid != "ego" and passed_over(actor.structure, cid, actor.cid):
         return True
-    if any(p.action == "overtake" and (p.target or "ego") == cid for p in actor.spec.phases):
+    if any(p.action in ("overtake", "swerve") and (p.target or "ego") == cid for p in actor.spec.phases):
         return True
     near = (p.trigger for p in actor.spec.phases if p.trigger and p.action in ("lane_change", "swerve"))
     if any(t.kind in ("distance", "ttc") and t.value is not None and (t.of or "ego") == cid for t in near):

@@ -43,7 +43,7 @@ def solved(structure: Structure) -> Structure:
         for i, phase in enumerate(phases_of(structure, cid)):
             if any(p.action not in CALM for p in phases_of(structure, cid)[:i]):
                 break
-            if phase.action in (*LATERAL, "brake", "stop", "follow"):
+            if phase.action in (*LATERAL, "swerve", "brake", "stop", "follow"):
                 structure = _met(structure, cid, i, phase)
                 break
     return structure
@@ -155,7 +155,7 @@ def _drives(spec: ObjectSpec) -> bool:
 
 def _met(structure: Structure, cid: str, i: int, phase: Phase) -> Structure:
     """S with what makes the gap of a phase hold at its moment."""
-    if phase.action == "cut_out":
+    if phase.action in ("cut_out", "lane_change", "swerve"):
         structure = revealing(structure, cid, i, phase)
     pair = _pair(structure, cid, phase)
     if pair is None and phase.action == "cut_in" and _from_ramp(structure, cid):

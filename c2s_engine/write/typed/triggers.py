@@ -122,7 +122,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     stands = standing(a.structure, a.plan.lane_of) if a.is_ego and phase.action == "oncoming" else None
     if stands:
         return _before(course, stands)
-    if obstacle := _obstacle(course) if phase.action in ("swerve", "cut_out", "lane_change") else "":
+    if obstacle := _obstacle(course, phase) if phase.action in ("swerve", "cut_out", "lane_change") else "":
         return f"until (distance from self to {obstacle}) < 12 + 2 * self.speed"
     if phase.action == "u_turn" and first and not a.is_ego and (course.oncoming or a.value <= 0):  # in front of ego
         return f"until (distance from self to ego) < {scope.number(12 + 2.2 * (a.value + a.plan.ego_speed))}"
@@ -188,9 +188,11 @@ def _comes_over(actor: Actor) -> bool:
     return spec.placement.of == "ego" and bool(over)
 
 
-def _obstacle(course: Course) -> str:
-    """What stands in its lane ahead of it, if anything does: another's evasion waits for that."""
+def _obstacle(course: Course, phase: Phase) -> str:
+    """Whom another swerves round, or what stands in its lane ahead of it: its evasion waits for that."""
     a = course.actor
+    if not a.is_ego and phase.action == "swerve" and phase.target and not (phase.target == "ego" and course.oncoming):
+        return a.ref(phase.target)
     if a.is_ego or course.lane is None:
         return ""
     for c in a.structure.objects:

@@ -13,6 +13,7 @@ import numpy as np
 from c2s_engine.require.due import arrival, conflict_begins, to_meet
 from c2s_engine.require.evidence import Evidence, Motion
 from c2s_engine.require.geometry import box_distance, lead, post_encroachment, time_to_collision
+from c2s_engine.require.moments import OVER_LINE
 from c2s_engine.require.natural import MOVING
 from c2s_engine.require.outcome import struck as struck_pairs
 from c2s_engine.require.results import between, scored, span, unknown, words
@@ -21,7 +22,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result, Value
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
 from c2s_engine.structure.triggers import gives_way_by
 
 THREATS = ("cut_in", "cross_road", "enter_road", "run_red", "run_stop", "oncoming", "reverse", "drift", "u_turn",
@@ -37,6 +38,8 @@ BESIDE = ("roadside", "sidewalk", "parked", "intersection_exit")
 ANSWERS = ("brake", "stop", "swerve", "lane_change", "yield", "wait")
 """What ego does of its own accord in answer to another, where it names whom or waits for what that one does."""
 
+LATER = Trigger(kind="time", value=60.0)
+"""After all runs."""
 GONE_BY = ("apart", "passed", "speed", "light", "place")
 """What one waits for that is no threat any more, or never was."""
 
@@ -78,7 +81,7 @@ def unaware(structure: Structure) -> Structure:
     """S whose ego does what it does of its own accord and does not answer to the one that S names, or, where it names
     none, to anybody.
 
-    Who follows drives on at its speed: keeping the distance is a reaction too.
+    Who follows that one drives on at its speed: keeping the distance is a reaction too.
     """
     spec = structure.ego.spec
     assert isinstance(spec, EgoSpec)
@@ -92,9 +95,20 @@ def unaware(structure: Structure) -> Structure:
     kept = spec.phases[:first]
     if first < len(spec.phases) and spec.phases[first].action == "yield":  # what it then does, it does at once
         kept += spec.phases[first + 1 :]
-    phases = tuple(p.model_copy(update=blind) if p.action == "follow" else p for p in kept)
-    changed = spec.model_copy(update={"reaction": "none", "hard": False, "react_to": None, "phases": phases})
+    others = (None, spec.react_to or None)
+    followed = [p for p in kept if p.action == "follow" and (spec.react_to is None or p.target in others)]
+    phases = tuple(p.model_copy(update=blind) if p in followed else p for p in kept)
+    phases = tuple(_gone_through_with(p) if p.abandoned else p for p in phases)  # breaking off is an answer, too
+    of = spec.react_to if any(p.abandoned for p in kept) else None  # for whom it does not wait
+    changed = spec.model_copy(update={"reaction": "none", "hard": False, "react_to": of, "phases": phases})
     return structure.with_component(structure.ego.model_copy(update={"spec": changed}))
+
+
+def _gone_through_with(phase: Phase) -> Phase:
+    """What is begun and broken off, gone on with: who overtakes stays out, from where it starts the same."""
+    if phase.action in OVER_LINE:
+        return phase.model_copy(update={"abandoned": False})
+    return phase.model_copy(update={"until": LATER} if phase.action == "overtake" else {})
 
 
 def required(scene: Scene) -> Iterator[Requirement]:

@@ -239,7 +239,7 @@ def kept_from(motion: Motion, time: float, within: float = 1.0) -> list[float]:
 
 
 def breaks_off(requirement: Requirement, evidence: Evidence) -> Result:
-    """It goes some way towards the next lane, and is back in the middle of its own without having been in the other."""
+    """It comes some way over the lane line, and is back in the middle of its own without having been in the other."""
     limits, said = bounds()["phase"], "begun, and back in its own lane"
     motion = evidence.motion(requirement.actor)
     if motion is None:
@@ -253,7 +253,8 @@ def breaks_off(requirement: Requirement, evidence: Evidence) -> Result:
     far = float(np.abs(moved - moved[0]).max())
     again = np.abs(moved[out[0] :] - moved[0]) < back
     seen = f"{far:.1f} m to the side, " + ("and back" if again.any() else "and stays there")
-    margin = min((LANE / 2 + motion.size[1] / 2 - far) / 1.0, 1.0) if again.any() else -1.0
+    over = far - (LANE - motion.size[1]) / 2
+    margin = min(motion.size[1] - over, (over - limits["over"]["value"]) / 0.5, 1.0) if again.any() else -1.0
     return scored(requirement, margin, said, seen, float(motion.time[out[0]]))
 
 

@@ -26,6 +26,8 @@ SLOWS = 3.0
 """m/s2 at which ego does."""
 SETTLES = 0.5
 """s after a change of lane by which one is in the other."""
+BEHIND = 1.5
+"""s behind another that one still is then."""
 CLEAR = 0.6
 """s between being out of the lane and being where somebody stands in it."""
 TIGHT = 0.8
@@ -135,7 +137,8 @@ def let_by(structure: Structure) -> Structure:
 
 
 def clear_ahead(structure: Structure) -> Structure:
-    """With what stands in ego's lane, nobody says how far ahead, where ego has left that lane by then."""
+    """With what stands in ego's lane, or is slower there, nobody says how far ahead, where ego has left that lane by
+    then or, where it breaks that off, still has not come up to it."""
     ego, place = structure.ego.spec, structure.place.spec
     assert isinstance(ego, EgoSpec) and isinstance(place, PlaceSpec)
     actions = [p.action for p in ego.phases]
@@ -144,13 +147,16 @@ def clear_ahead(structure: Structure) -> Structure:
         return structure
     phase = ego.phases[actions.index("lane_change")]
     before = LETS_BY if "yield" in actions[: actions.index("lane_change")] else 0.0
-    gap = round(own * (UNDISTURBED + before + sideways(LANE_WIDTH, shift_of(phase)) + 2.0), 1)
+    seconds = UNDISTURBED + before + sideways(LANE_WIDTH, shift_of(phase)) + (4.0 if phase.abandoned else 2.0)
     for component in structure.objects:
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
         at = spec.placement
-        if is_static(spec) and at.position == "ahead" and at.of == "ego" and at.gap is None:
-            structure = structure.with_spec(component.id, placement=at.model_copy(update={"gap": gap}))
+        slow = 0.0 if is_static(spec) else middle(speed_of(spec, place))
+        slower = not slow or phase.abandoned and slow < own
+        if at.position == "ahead" and at.of == "ego" and at.gap is None and slower:
+            changes = {"gap": round((own - slow) * seconds + BEHIND * slow, 1)}
+            structure = structure.with_spec(component.id, placement=at.model_copy(update=changes))
     return structure
 
 

@@ -89,7 +89,8 @@ def _steps(course: Course) -> list[Step]:
             course.aside = ""
         if phase.until is not None and done:
             actor = course.actor
-            out = -2 if phase.abandoned and phase.action in LATERAL else -1
+            back = {**dict.fromkeys(LATERAL, 1), "overtake": 2}.get(phase.action, 0) if phase.abandoned else 0
+            out = -1 - back  # what it is broken off by, before the steps home
             done[out] = (done[out][0], f"until {watched(actor.structure, actor.plan, phase.until, actor.cid)}")
             if i + 1 == len(phases):  # it drives on
                 done.append(([course.drive(course.set(actor.value or SETS_OUT))], ""))

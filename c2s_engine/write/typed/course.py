@@ -103,7 +103,21 @@ class Course:
         if isinstance(spec, EgoSpec) and spec.reaction == "follow" and self.actor.others:
             speed = self.speed if self.value > 0 else scope.number(DEFAULT_SPEED["car"]["road"])  # it moves off with it
             return self.pacing(spec.react_to, speed)
+        if self.actor.is_ego and self.lane == 0 and (slower := self._slower_ahead()):
+            return f"lambda: pace(self, {self.actor.ref(slower)}, {self.speed})"
         return self.speed
+
+    def _slower_ahead(self) -> str | None:
+        """Whom ego comes up to that just drives on ahead in its lane, and does nothing else about than stay behind."""
+        spec, met = self.actor.spec, {p.target for p in self.actor.spec.phases}
+        for cid, o in self._objects.items():
+            calm = {p.action for p in o.phases} <= {"keep_lane"} and not is_static(o)
+            named = cid in met or cid == getattr(spec, "react_to", None)
+            ahead = o.placement.position == "ahead" and o.placement.facing != "against"
+            if calm and ahead and not named and self.actor.plan.lane_of.get(cid) == 0 \
+                    and middle(speed_of(o, self.actor.plan.place)) < self.value - 1:  # fmt: skip
+                return cid
+        return None
 
     def pacing(self, cid: str | None, speed: str, gap: float | None = None) -> str:
         """The speed of one that follows another: at a gap (m) that is said, that at which it starts where that is

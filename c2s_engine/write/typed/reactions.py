@@ -60,6 +60,8 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
         return _around(statements, seen, 3, _brakes(seen)) if moving else statements
     round_it = {p.target for p in spec.phases if p.action == "overtake" and not _slows(actor.structure, p.target)}
     round_it |= {p.target for p in spec.phases if p.clearance is not None}  # or keeps its own room to them
+    broken_off = any(p.action == "overtake" and p.abandoned for p in spec.phases)  # that is how it answers them
+    round_it |= {c for c in cids if broken_off and _position(actor.structure, c) == "oncoming_lane"}
     cids = [c for c in cids if c not in round_it]  # ego drives past these
     if spec.reaction != "brake" or not cids or spec.react_to in {c for c in round_it if _stands(actor.structure, c)}:
         return statements
@@ -339,6 +341,7 @@ def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan
     if "yield" not in actions and (rider := _cut_off(spec, structure, plan)):
         spec = spec.model_copy(update={"phases": (Phase(action="yield", target=rider), *spec.phases)})
     whom, yields = spec.react_to or next(iter(others), ""), spec.reaction == "yield" and "yield" not in actions
+    yields = yields and not any(p.abandoned for p in spec.phases)  # breaking off is how it does that
     if yields and whom not in ("", *hit) and not gives_way_by(spec) and not _waits_for(spec, whom):
         yielding = Phase(action="yield", target=whom)
         if plan.junction and (stands := _stands_first(spec)):

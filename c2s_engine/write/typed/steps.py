@@ -25,8 +25,8 @@ from c2s_engine.write.typed.usual import SETS_OUT, reach
 
 AT_LINE = Trigger(kind="place", place="intersection", value=0)
 """When somebody stops at the stop line of its approach."""
-BROKEN_OFF = 1.2
-"""m to the side after which a lane change is broken off: some of the body is over the line then."""
+BROKEN_OFF = 1.7
+"""m to the side after which a lane change is broken off: about half of the body is over the line then."""
 BEYOND_EDGE = 4
 """m beyond the road's edge to where who leaves it heads."""
 HITS_SOON = "for 1 seconds"

@@ -57,7 +57,7 @@ def _at_pace(structure: Structure) -> Structure:
     fast as the one beside it or that it follows."""
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
-    if ego.speed is None and (pace := _pace_for_ego(structure, ego)) is not None:
+    if (ego.speed is None or ego.pace is not None) and (pace := _pace_for_ego(structure, ego)) is not None:
         structure = structure.with_spec("E", speed=pace)
     for component in structure.objects:
         spec = component.spec
@@ -66,6 +66,8 @@ def _at_pace(structure: Structure) -> Structure:
         speed = getattr(by, "speed", None)
         if not _open_pace(spec) or speed is None or middle(speed) <= 0:
             continue
+        if spec.placement.position == "oncoming_lane" and getattr(by, "pace", None) is not None:
+            continue  # a word says how one drives, not how all do
         if spec.placement.position == "ahead" and spec.type not in ("car", "van", "motorcycle", "police_car"):
             continue  # slower ones are caught up with
         structure = structure.with_spec(component.id, speed=_pace(spec, middle(speed)))
@@ -76,6 +78,9 @@ def _pace_for_ego(structure: Structure, ego: EgoSpec) -> float | None:
     if any(p.action == "accelerate" for p in ego.phases[:1]):  # it comes to its speed
         return None
     followed = {p.target for p in ego.phases if p.action == "follow"}
+    if ego.pace is not None:  # drawn as that one's speed is, it would now and then fall behind whom it follows
+        drawn = [c.spec.speed for c in structure.objects if c.id in followed and isinstance(c.spec, ObjectSpec)]
+        return high(drawn[0]) if drawn and drawn[0] is not None and ego.phases[0].action == "follow" else None
     for component in structure.objects:
         spec = component.spec
         assert isinstance(spec, ObjectSpec)

@@ -8,6 +8,7 @@ from c2s_engine.write.typed.collisions import hit_beside, hit_next, slows_too_la
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.facing import AHEAD
 from c2s_engine.write.typed.overtakings import pulls_out
+from c2s_engine.write.typed.passing import FOLLOWS
 from c2s_engine.write.typed.people import comes_out
 from c2s_engine.write.typed.reach import EVADED_AT
 from c2s_engine.write.typed.tables import LENGTH, WORKS, is_static
@@ -24,6 +25,8 @@ from c2s_engine.write.typed.towards import before_standing, held_for, in_next_la
 from c2s_engine.write.typed.usual import crosses, slows_before, speed_of
 from c2s_engine.write.typed.watching import METRES, watched, watches
 
+NO_FASTER = 0.5
+"""m/s by which one is no faster whom nothing but its own decision brings out from behind another."""
 CAN_STOP = 10
 """Twice the m/s2 at which one stops for a light that changes."""
 TOO_LATE = 1.5
@@ -117,6 +120,9 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         course.oncoming_both(phase) or course.lane is not None and course.same_lane(phase)
     ):
         if course.target_speed(phase) > 0:  # it may follow
+            calm, follows = {p.action for p in before} <= traffic.CALM, any(p.action == "follow" for p in before[-1:])
+            if calm and (follows or course.value < course.target_speed(phase) + NO_FASTER):
+                return f"for {FOLLOWS} seconds" if follows else _undisturbed(a)
             return pulls_out(course, phase)
         return _before(course, phase.target)
     stands = standing(a.structure, a.plan.lane_of) if a.is_ego and phase.action == "oncoming" else None

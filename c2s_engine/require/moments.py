@@ -160,6 +160,18 @@ def _while_followed(motion: Motion, other: Motion, time: float) -> list[int]:
     return list(range(first, max(first + 1, min([last, *ends]))))
 
 
+def too_late(motion: Motion, other: Motion | None) -> float | None:
+    """s by which one that comes over the lane line behind somebody would have to be there later (below 0: earlier) to
+    do so well ahead; None: it does not come over."""
+    moved = np.abs(beside(motion)) >= (LANE - motion.size[1]) / 2
+    if other is None or not moved.any():
+        return None
+    at = min(int(moved.argmax()), len(other.x) - 1)
+    ahead = -float(lead(motion.poses[at], other.poses[at]))
+    wanted = (motion.size[0] + other.size[0]) / 2 + bounds()["phase"]["gap"]["value"] * 4
+    return round(-max(wanted - ahead, 0.0) / max(float(other.speed[at]), 1.0), 2) or None
+
+
 def moves_aside(requirement: Requirement, evidence: Evidence) -> Result:
     limits, said = bounds()["phase"], f"{words(requirement, 'm/s')} sideways"
     motion, time = evidence.motion(requirement.actor), evidence.times.get(str(requirement.values["of"]))

@@ -246,7 +246,9 @@ def _missed(requirement: Requirement, evidence: Evidence, motion: Motion, action
         n = min(len(motion.x), len(other.x))
         gap = float(box_distance(motion.poses[:n], other.poses[:n], motion.size, other.size).min())
         margin, seen = min(-0.05, -gap / 5), f"no nearer than {gap:.1f} m"
-    return scored(requirement, margin, said, seen)
+    cuts_in = action == "cut_in" and requirement.other is not None
+    due = moments.too_late(motion, evidence.motion(requirement.other or EGO)) if cuts_in else None
+    return scored(requirement, margin, said, seen, due=due)
 
 
 def in_order(requirement: Requirement, evidence: Evidence) -> Result:

@@ -22,6 +22,10 @@ TO_RAMP_END = 6.0
 """s from the start until ego is on the acceleration lane: a guess, too."""
 ACCELERATION_LANE = 250.0
 """m, a guess while the map is not known: on longer or shorter lanes those that are let by come too early or late."""
+RAMP, CONNECTS = 4.0, 80.0
+"""s of its way on the ramp, and m from there to the acceleration lane, on which ego is before it: a guess, too."""
+GAINS = 2.5
+"""m/s2 at which it speeds up."""
 SLOWS = 3.0
 """m/s2 at which ego does."""
 SETTLES = 0.5
@@ -114,26 +118,75 @@ def let_by(structure: Structure) -> Structure:
     last = next((t.subject for t in waits if t.subject and t.subject in structure), None)
     if place.kind != "on_ramp" or last is None:
         return structure
-    cid, chain = last, 0.0
-    while (spec := structure[cid].spec) and isinstance(spec, ObjectSpec) and spec.placement.of in structure:
-        of, gap = structure[spec.placement.of].spec, spec.placement.gap
-        if spec.placement.position != "behind" or not isinstance(of, ObjectSpec):
-            return structure
-        own = middle(gap) if gap is not None else default_gap(spec, middle(speed_of(spec, place)), place)
-        chain, cid = chain + own + (LENGTH[spec.type] + LENGTH[of.type]) / 2, spec.placement.of
-    first = structure[cid].spec
-    if not isinstance(first, ObjectSpec) or first.placement.position != "left_lane" or first.placement.gap is not None:
+    found = _first(structure, last)
+    if found is None:
         return structure
+    first, chain = found
     at_end = any(p.trigger and p.trigger.place == "merge_end" for p in ego.phases)
     own = middle(speed_of(ego, place))
     up = max([own, *(middle(p.speed) for p in ego.phases if p.action == "accelerate" and p.speed is not None)])
     seconds = TO_RAMP_END + (ACCELERATION_LANE / up if at_end else 0.0)
-    gains = (middle(speed_of(first, place)) - (own + 3 * up) / 4) * seconds
+    spec = structure[first].spec
+    assert isinstance(spec, ObjectSpec)
+    gains = (middle(speed_of(spec, place)) - (own + 3 * up) / 4) * seconds
     slow = next((middle(p.speed) if p.speed is not None else up / 2 for p in ego.phases if p.action == "brake"), up)
-    level = (LENGTH[ego.type] + LENGTH[first.type]) / 2
-    ahead = chain - level - gains - (up - slow) ** 2 / (2 * SLOWS)
+    level = (LENGTH[ego.type] + LENGTH[spec.type]) / 2
+    return _starting(structure, first, chain - level - gains - (up - slow) ** 2 / (2 * SLOWS), level)
+
+
+def joined(structure: Structure) -> Structure:
+    """With those on the carriageway, nobody says where, before one of whom ego comes over from the ramp: that one is so
+    far behind it by then as is said, or ego is in the middle between it and who is ahead of it."""
+    ego, place = structure.ego.spec, structure.place.spec
+    assert isinstance(ego, EgoSpec) and isinstance(place, PlaceSpec)
+    phase = next((p for p in ego.phases if p.action in LATERAL), None)
+    whom = phase.target if phase is not None and not phase.abandoned else None
+    found = _first(structure, whom) if place.kind == "on_ramp" and whom in structure else None
+    if phase is None or whom is None or found is None:
+        return structure
+    first, chain = found
+    spec, behind = structure[first].spec, structure[whom].spec
+    assert isinstance(spec, ObjectSpec) and isinstance(behind, ObjectSpec)
+    own, level = middle(speed_of(ego, place)), (LENGTH[ego.type] + LENGTH[behind.type]) / 2
+    up = max([own, *(middle(p.speed) for p in ego.phases if p.action == "accelerate" and p.speed is not None)])
+    between = behind.placement.gap if first != whom else None
+    gap = (middle(between) - LENGTH[ego.type]) / 2 if between is not None else TIGHT * own
+    gap = middle(phase.gap) if phase.gap is not None else gap
+    gained, on_it = (up - own) / GAINS, RAMP * own + CONNECTS
+    rest = max(on_it - own * UNDISTURBED - (up + own) / 2 * gained, 0.0) / up
+    over = to_line(ego.type, phase)
+    seconds = UNDISTURBED + gained + rest + over
+    travelled = own * UNDISTURBED + (up + own) / 2 * gained + (rest + over) * up
+    start = travelled - gap - level - middle(speed_of(behind, place)) * seconds
+    for i, then in enumerate(ego.phases):  # no further from whom it then follows than there is room
+        if then.action == "follow" and then.gap is None and between is not None and then.target == behind.placement.of:
+            structure = with_phase(structure, "E", i, gap=round(gap, 1))
+    return _starting(structure, first, start + chain, (LENGTH[ego.type] + LENGTH[spec.type]) / 2)
+
+
+def _first(structure: Structure, cid: str | None) -> tuple[str, float] | None:
+    """The first of those behind whom one drives, in the lane beside ego's, and how far (m) it is ahead of that one;
+    None: S says where they are."""
+    place, chain = structure.place.spec, 0.0
+    assert isinstance(place, PlaceSpec)
+    while cid and (spec := structure[cid].spec) and isinstance(spec, ObjectSpec) and spec.placement.of in structure:
+        of, gap = structure[spec.placement.of].spec, spec.placement.gap
+        if spec.placement.position != "behind" or not isinstance(of, ObjectSpec):
+            return None
+        own = middle(gap) if gap is not None else default_gap(spec, middle(speed_of(spec, place)), place)
+        chain, cid = chain + own + (LENGTH[spec.type] + LENGTH[of.type]) / 2, spec.placement.of
+    first = structure[cid].spec if cid else None
+    if not isinstance(first, ObjectSpec) or first.placement.position != "left_lane" or first.placement.gap is not None:
+        return None
+    return str(cid), chain
+
+
+def _starting(structure: Structure, cid: str, ahead: float, level: float) -> Structure:
+    """One in the next lane so far (m) ahead of ego, middle from middle, at the start; `level`: half of both lengths."""
+    spec = structure[cid].spec
+    assert isinstance(spec, ObjectSpec)
     changes = {"along": "ahead" if ahead >= 0 else "behind", "gap": round(max(abs(ahead) - level, 0.0), 1)}
-    return structure.with_spec(cid, placement=first.placement.model_copy(update=changes))
+    return structure.with_spec(cid, placement=spec.placement.model_copy(update=changes))
 
 
 def clear_ahead(structure: Structure) -> Structure:

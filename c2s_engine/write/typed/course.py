@@ -125,6 +125,9 @@ class Course:
         keeps, of = "", cid or next(iter(self._objects), None)
         lead = self._objects.get(of or "")
         start = lead.placement if self.actor.is_ego and lead else getattr(self.actor.spec, "placement", None)
+        if gap is None and self.actor.is_ego:
+            follows = (p.gap for p in self.actor.spec.phases if p.action == "follow" and (p.target or of) == of)
+            gap = next((middle(g) for g in follows if g is not None), None)
         pace = middle(speed_of(lead, self.actor.plan.place)) if lead else self.actor.plan.ego_speed
         directly = start is not None and start.of == ("ego" if self.actor.is_ego or not lead else of)
         if gap is None and directly and start and start.gap is not None and abs(pace - self.value) < 1:

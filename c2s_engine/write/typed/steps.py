@@ -228,7 +228,7 @@ def _cut_in(c: Course, p: Phase) -> list[Step]:
         return _back_again(c, p, 1 if to > (c.lane if c.lane is not None else -1) else -1)
     c.lane = to
     shift = lateral.said(p)
-    drive = c.drive(c.set(c.wanted(p, c.actor.value or _moving(c))), shift=shift)
+    drive = c.drive(c.set(c.wanted(p, _moving(c))), shift=shift)
     over = HITS_SOON if hit_next(c, p) else _until_over(p)
     return [([c.along_lane(), drive], ending(p, over))]
 

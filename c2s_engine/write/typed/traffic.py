@@ -25,6 +25,8 @@ from c2s_engine.write.typed.lateral import LATERAL, to_line
 from c2s_engine.write.typed.tables import LENGTH, is_static, is_vehicle
 from c2s_engine.write.typed.usual import speed_of
 
+ALIKE = 0.4
+"""m by which two gaps are the same."""
 LATEST = 12.0
 """s after the start by which two have come as near as is said."""
 SLOWER, FASTER = 0.8, 1.15
@@ -281,7 +283,11 @@ def _kept(structure: Structure, pair: _Pair, i: int, phase: Phase, then: float, 
     start = pair.sign * sign * (middle(spec.placement.gap) + pair.bodies)
     room = max(2.0, 0.15 * abs(then), (high(spec.placement.gap) - low(spec.placement.gap)) / 2)
     if phase.gap is not None and phase.action != "follow":
-        if abs(then - start) <= room or abs(pair.gains) > 0.3 and 0.5 <= (then - start) / pair.gains <= LATEST:
+        off = then - start
+        if abs(pair.gains) <= 0.3 and ALIKE < abs(off) <= room and time > off:  # within what "as fast" means
+            own = middle(speed_of(structure[pair.actor].spec, structure.place.spec))  # type: ignore[arg-type]
+            return structure.with_spec(pair.actor, speed=round(own + off / time, 2))
+        if abs(off) <= room or abs(pair.gains) > 0.3 and 0.5 <= (then - start) / pair.gains <= LATEST:
             return structure
         if structure[pair.actor].spec.speed is None:  # type: ignore[union-attr]
             other = middle(speed_of(structure[pair.other].spec, structure.place.spec))  # type: ignore[arg-type]

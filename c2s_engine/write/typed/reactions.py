@@ -328,6 +328,11 @@ def _waits_for(spec: EgoSpec, cid: str) -> bool:
     return False
 
 
+def _about(phase: Phase) -> str | None:
+    """Whom one answers in a phase: whom it names, or for what it waits to be done."""
+    return phase.target or (phase.trigger.of if phase.trigger and phase.trigger.kind == "action" else None)
+
+
 def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan: Plan) -> tuple[Phase, ...]:
     """Ego's phases with those that its place and its reaction add: merging, leaving, yielding, evading."""
     phases = spec.phases
@@ -341,7 +346,8 @@ def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan
     if "yield" not in actions and (rider := _cut_off(spec, structure, plan)):
         spec = spec.model_copy(update={"phases": (Phase(action="yield", target=rider), *spec.phases)})
     whom, yields = spec.react_to or next(iter(others), ""), spec.reaction == "yield" and "yield" not in actions
-    yields = yields and not any(p.abandoned for p in spec.phases)  # breaking off is how it does that
+    slows = ("brake", "stop", "wait")
+    yields = yields and not any(p.abandoned or p.action in slows and _about(p) == whom for p in spec.phases)  # it says how
     if yields and whom not in ("", *hit) and not gives_way_by(spec) and not _waits_for(spec, whom):
         yielding = Phase(action="yield", target=whom)
         if plan.junction and (stands := _stands_first(spec)):

@@ -347,7 +347,8 @@ def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan
         spec = spec.model_copy(update={"phases": (Phase(action="yield", target=rider), *spec.phases)})
     whom, yields = spec.react_to or next(iter(others), ""), spec.reaction == "yield" and "yield" not in actions
     slows = ("brake", "stop", "wait")
-    yields = yields and not any(p.abandoned or p.action in slows and _about(p) == whom for p in spec.phases)  # it says how
+    told = any(p.abandoned or p.action in slows and _about(p) == whom for p in spec.phases)  # it says how
+    yields = yields and not told
     if yields and whom not in ("", *hit) and not gives_way_by(spec) and not _waits_for(spec, whom):
         yielding = Phase(action="yield", target=whom)
         if plan.junction and (stands := _stands_first(spec)):

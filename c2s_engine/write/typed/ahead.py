@@ -26,6 +26,9 @@ RAMP, CONNECTS = 4.0, 80.0
 """s of its way on the ramp, and m from there to the acceleration lane, on which ego is before it: a guess, too."""
 GAINS = 2.5
 """m/s2 at which it speeds up."""
+PULLS_OUT, WARNED, OUT = 0.5, 2.2, 1.8
+"""Of the speed of who goes round it, that of one that pulls out; s before it is there at which that is seen, and s
+later that it is out of its lane."""
 SLOWS = 3.0
 """m/s2 at which ego does."""
 SETTLES = 0.5
@@ -107,6 +110,32 @@ def moves_over(structure: Structure, cid: str) -> float:
     if phase.trigger.kind == "time":
         return middle(phase.trigger.value or 0.0)
     return moves_over(structure, of) if phase.trigger.kind == "action" and of in structure else 0.0
+
+
+def gone_round(structure: Structure) -> Structure:
+    """With one that comes up behind ego at the kerb and swerves round it as that pulls out, nobody says from how far:
+    near by then; ego, nobody says how fast, slow enough to be passed; who comes the other way is there meanwhile."""
+    place, ego = structure.place.spec, structure.ego.spec
+    assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
+    pulls_out = bool(ego.phases) and ego.phases[0].action == "enter_road" and ego.phases[0].trigger is None
+    for component in structure.objects if pulls_out else ():
+        spec = component.spec
+        assert isinstance(spec, ObjectSpec)
+        waits = (p.trigger for p in spec.phases if p.action == "swerve" and p.target == "ego" and p.trigger)
+        if spec.placement.position != "behind" or not any(t.of == "ego" and t.action == "enter_road" for t in waits):
+            continue
+        own, at = middle(speed_of(spec, place)), spec.placement
+        if ego.phases[0].speed is None:
+            structure = with_phase(structure, "E", 0, speed=round(PULLS_OUT * own, 1))
+        if at.gap is None:
+            changes = {"gap": round(own * (UNDISTURBED + WARNED), 1)}
+            structure = structure.with_spec(component.id, placement=at.model_copy(update=changes))
+        for other in structure.objects:
+            there = other.spec.placement if isinstance(other.spec, ObjectSpec) else None
+            if there is not None and there.position == "oncoming_lane" and there.gap is None:
+                comes = middle(speed_of(other.spec, place)) * (UNDISTURBED + WARNED + OUT)  # type: ignore[arg-type]
+                structure = structure.with_spec(other.id, placement=there.model_copy(update={"gap": round(comes, 1)}))
+    return structure
 
 
 def let_by(structure: Structure) -> Structure:

@@ -174,6 +174,8 @@ def phases_of(actor: Actor) -> list[Phase]:
         phases = lights.obeyed(phases, settings)
     if actor.approach:
         phases = _up_to_contact(phases, actor.value)
+    beyond = [q.action == "swerve" and q.target and q.side != "right" for q in phases]  # out there already
+    phases = [p for i, p in enumerate(phases) if p.action != "oncoming" or p.trigger or not (i and beyond[i - 1])]
     if 1 not in actor.plan.offsets:  # by the oncoming lane: the overtaking says so
         after = [*(p.action for p in phases[1:]), ""]
         phases = [p for i, p in enumerate(phases) if (p.action, after[i]) != ("oncoming", "overtake")]

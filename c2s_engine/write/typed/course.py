@@ -203,6 +203,16 @@ class Course:
             return False
         return spec.placement.position == "opposite_approach" or oncoming(spec, self._objects)
 
+    def comes_up_to(self, cid: str) -> bool:
+        """Whether it starts behind another object or ego, in that one's lane or at the edge of which that one is."""
+        own, target = self.actor.spec, self._objects.get(cid)
+        if not isinstance(own, ObjectSpec):
+            return False
+        if target is None:
+            return cid == "ego" and own.placement.of == "ego" and own.placement.position == "behind"
+        ahead = target.placement.position in ("ahead", "partly_in_lane") and target.placement.along != "behind"
+        return ahead and self.actor.plan.lane_of.get(self.actor.cid) in (0, None)
+
     def oncoming_both(self, phase: Phase) -> bool:
         """Whether it and the phase's target both come from the other direction."""
         own, target = self.actor.spec, self._objects.get(phase.target or "")

@@ -275,7 +275,7 @@ def _sideways(c: Course, p: Phase, metres: float, shift: float, seconds: float |
 def _swerve(c: Course, p: Phase) -> list[Step]:
     if into := struck_beside(c, p):
         return into
-    if p.target is not None and not hit_next(c, p):
+    if p.target is not None and not hit_next(c, p) and (c.actor.is_ego or c.comes_up_to(p.target)):
         return goes_round(c, p)
     found = _sideways(c, p, swerves_by(c), 2.5, 2.5)
     if getattr(c.actor.spec, "reaction", "") == "brake" and p.speed is None and p.trigger is None:  # both at once

@@ -13,6 +13,7 @@ from c2s_engine.write.typed.ahead import (
     TIGHT,
     begins,
     clear_ahead,
+    gone_round,
     joined,
     let_by,
     level_then,
@@ -41,7 +42,7 @@ PLAIN = {*CALM, *LATERAL, "brake", "stop", "swerve", "drift"}
 def solved(structure: Structure) -> Structure:
     """S with the speeds, gaps and starts that are open and follow from those that are said; raises ResolveError where
     they do not go together."""
-    structure = joined(let_by(level_then(clear_ahead(_at_pace(structure)))))
+    structure = joined(gone_round(let_by(level_then(clear_ahead(_at_pace(structure))))))
     for cid in ("E", *(c.id for c in structure.objects)):
         for i, phase in enumerate(phases_of(structure, cid)):
             if any(p.action not in CALM for p in phases_of(structure, cid)[:i]):

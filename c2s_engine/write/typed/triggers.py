@@ -91,6 +91,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return "until self._lane is place.acceleration_lane"
     if phase.action in lateral.LATERAL and phase.gap is not None and phase.target and not _sideways_into(course, phase):
         return _at_gap(course, phase, first)
+    if first and a.is_ego and phase.action == "enter_road":  # it is seen at the kerb
+        return _undisturbed(a)
     if a.is_ego and phase.action in FORCED and not _stood(a, phase) and _confronted(course, phase):
         cid = phase.target or getattr(a.spec, "react_to", None) or standing(a.structure, a.plan.lane_of)
         if beside_way(a.structure, cid):
@@ -197,7 +199,7 @@ def _comes_over(actor: Actor) -> bool:
 def _obstacle(course: Course, phase: Phase) -> str:
     """Whom another swerves round, or what stands in its lane ahead of it: its evasion waits for that."""
     a = course.actor
-    if not a.is_ego and phase.action == "swerve" and phase.target and not (phase.target == "ego" and course.oncoming):
+    if not a.is_ego and phase.action == "swerve" and phase.target and course.comes_up_to(phase.target):
         return a.ref(phase.target)
     if a.is_ego or course.lane is None:
         return ""

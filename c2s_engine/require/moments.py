@@ -25,6 +25,8 @@ BEGUN = 0.3
 """m to the side by which one has begun to move there."""
 NEAR = 60.0
 """m within which one is for whom another waits."""
+LATE = 3.0
+"""s before a contact within which one swerves too late."""
 WAITS = 20.0
 """m before a junction within which one waits there."""
 LONGEST = 8.0
@@ -104,6 +106,13 @@ def onset(motion: Motion, action: str, time: float) -> float:
     if action in (*SETS_OUT, *TURNS) and (stood := np.flatnonzero(motion.speed[: at + 1] < STANDING)).size:
         return float(motion.time[min(int(stood[-1]) + 1, at)])
     return time
+
+
+def cut_off(motion: Motion) -> list[float]:
+    """When one begins to move aside that is still at it when it touches somebody."""
+    first = motion.at(motion.time[-1] - LATE)
+    moved = np.abs(beside(motion)[first:] - beside(motion)[first]) > BEGUN / 2
+    return [float(motion.time[first + int(moved.argmax())])] if motion.contact is not None and moved.any() else []
 
 
 def over_line(motion: Motion, time: float) -> float | None:

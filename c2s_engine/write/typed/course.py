@@ -10,7 +10,7 @@ from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import outwards
-from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, TURN, is_static
+from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, TURN, WIDTH, is_static
 from c2s_engine.write.typed.usual import rides_beside, speed_of, turn_of
 
 GENTLY = {"bicycle", "truck", "bus", "fire_truck"}
@@ -20,6 +20,8 @@ USUAL_GAP, USUAL_HEADWAY = 4.0, 1.5
 """m and s: how one follows another, as `pace` in the driving library has it."""
 HALF_LANE = 1.75
 """m from the lane's middle to its edge, on most maps."""
+IN_ITS_WAY = 0.5
+"""m by which one at the edge of the lane overlaps with ego, before that swerves too late."""
 EDGE = 1.6
 """m from the lane's middle to where those partly in it start, and riders stay."""
 
@@ -238,7 +240,7 @@ def _aside(actor: Actor) -> str:
     waits before the junction keeps to the other side."""
     spec = actor.spec
     if not isinstance(spec, ObjectSpec):
-        return ""
+        return _towards_edge(actor)
     if squeezes := pockets.aside(actor.structure, actor.plan, actor.cid):
         return squeezes
     ego = actor.structure.ego.spec
@@ -249,3 +251,16 @@ def _aside(actor: Actor) -> str:
     if spec.placement.position != "partly_in_lane" or spec.type not in ("bicycle", "motorcycle"):
         return ""
     return scope.number(EDGE if spec.placement.side == "left" else -EDGE)
+
+
+def _towards_edge(actor: Actor) -> str:
+    """How far (m) to the left of the middle of its lane ego drives that hits somebody at the edge of it in spite of its
+    swerving: so near to that edge that it does; "": it keeps to the middle."""
+    phases = actor.spec.phases
+    hit = {p.target for p in phases if p.action == "collide"} & {p.target for p in phases if p.action == "swerve"}
+    for cid in hit - {None}:
+        other = actor.structure[cid].spec if cid in actor.structure else None
+        if isinstance(other, ObjectSpec) and other.placement.position == "partly_in_lane":
+            off = EDGE + IN_ITS_WAY - (WIDTH[actor.spec.type] + WIDTH[other.type]) / 2
+            return scope.number(round(max(off, 0.0) * (1 if other.placement.side == "left" else -1), 2) or 0)
+    return ""

@@ -6,6 +6,7 @@ from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import lateral, scope
 from c2s_engine.write.typed.collisions import Step, hit_next, struck_beside
 from c2s_engine.write.typed.course import Course
+from c2s_engine.write.typed.hiding import aside
 from c2s_engine.write.typed.passing import BESIDE, NARROW
 from c2s_engine.write.typed.tables import LANE_WIDTH, WIDTH, is_static, is_vehicle, is_walker
 from c2s_engine.write.typed.threats import beside_way, every, members
@@ -28,6 +29,8 @@ SHIFT = 2.5
 """m/s sideways at which one swerves."""
 PASSING = 2.0
 """m between one that swerves and whom it passes who is beside its lane, or partly in it: else it would hardly move."""
+CLIPS = 0.1
+"""m by which one that swerves too late still touches whom it hits."""
 CAUTION = 0.7
 """The share of its speed at which one goes round what blocks its lane."""
 
@@ -94,6 +97,26 @@ def goes_round(c: Course, p: Phase) -> list[Step]:
         stays = c.drive(slower, 4, scope.number(0.8 * LANE_WIDTH))
         found.append(([stays], f"until {' and '.join(f'passed({one}, self, 0)' for one in met)}"))
     return [*found, ([c.drive()], "for 3 seconds")]
+
+
+def too_late(c: Course, p: Phase) -> tuple[float, float]:
+    """Of one that swerves for whom it then hits all the same, in its lane or at the edge of that: how far (m) it gets
+    aside, so that it still touches that one, and how long (s) that takes; 0, 0: it does not."""
+    hit, spec = hit_next(c, p), c.other(p.target)
+    there = spec is not None and spec.placement.position in ("ahead", "partly_in_lane")
+    if hit is None or spec is None or not there or not c.actor.is_ego or p.target not in (hit.target, None):
+        return 0.0, 0.0
+    off = abs(aside(c.actor.structure, str(p.target), c.actor.plan) - float(c.aside or 0))
+    metres = max((WIDTH[c.actor.spec.type] + WIDTH[spec.type]) / 2 - off - CLIPS, CLIPS)
+    return round(metres, 2), round(lateral.sideways(metres, lateral.said(p) or SHIFT) + 3 * lateral.ANSWERS, 1)
+
+
+def swerves_too_late(c: Course, p: Phase) -> list[Step]:
+    """Out of the way of whom it hits with its side, as far as it gets until then; nothing: it is in time."""
+    metres, _ = too_late(c, p)
+    out = scope.number(round(float(c.aside or 0) + (-metres if p.side == "right" else metres), 2))
+    drive = c.drive(c.set(c.wanted(p, c.value)), offset=out, shift=lateral.said(p) or SHIFT)
+    return [([drive], f"until touch(self, {c.actor.ref(p.target)})")] if metres else []
 
 
 def _small(c: Course, cid: str) -> bool:

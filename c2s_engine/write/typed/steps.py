@@ -15,7 +15,7 @@ from c2s_engine.write.typed.collisions import (
     struck_beside,
 )
 from c2s_engine.write.typed.course import Course
-from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_there, swerves_by
+from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_there, swerves_by, swerves_too_late
 from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.people import BACKS_OUT, PULLS_OUT
 from c2s_engine.write.typed.tables import LANE_WIDTH, MOVES_OFF_ROAD, RAMP
@@ -273,7 +273,7 @@ def _sideways(c: Course, p: Phase, metres: float, shift: float, seconds: float |
 
 
 def _swerve(c: Course, p: Phase) -> list[Step]:
-    if into := struck_beside(c, p):
+    if into := struck_beside(c, p) or swerves_too_late(c, p):
         return into
     if p.target is not None and not hit_next(c, p) and (c.actor.is_ego or c.comes_up_to(p.target)):
         return goes_round(c, p)

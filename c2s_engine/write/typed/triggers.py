@@ -6,6 +6,7 @@ from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import ahead, lateral, scope, traffic
 from c2s_engine.write.typed.collisions import hit_beside, hit_next, slows_too_late
 from c2s_engine.write.typed.course import Actor, Course
+from c2s_engine.write.typed.evasion import too_late
 from c2s_engine.write.typed.facing import AHEAD
 from c2s_engine.write.typed.overtakings import pulls_out
 from c2s_engine.write.typed.passing import FOLLOWS
@@ -93,6 +94,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return _at_gap(course, phase, first)
     if first and a.is_ego and phase.action == "enter_road":  # it is seen at the kerb
         return _undisturbed(a)
+    if phase.action == "swerve" and (seconds := too_late(course, phase)[1]):
+        return f"until ttc(self, {a.ref(phase.target)}) < {scope.number(seconds)}"
     if a.is_ego and phase.action in FORCED and not _stood(a, phase) and _confronted(course, phase):
         cid = phase.target or getattr(a.spec, "react_to", None) or standing(a.structure, a.plan.lane_of)
         if beside_way(a.structure, cid):

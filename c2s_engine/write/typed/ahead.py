@@ -113,8 +113,9 @@ def moves_over(structure: Structure, cid: str) -> float:
 
 
 def gone_round(structure: Structure) -> Structure:
-    """With one that comes up behind ego at the kerb and swerves round it as that pulls out, nobody says from how far:
-    near by then; ego, nobody says how fast, slow enough to be passed; who comes the other way is there meanwhile."""
+    """With those that come up behind ego at the kerb, nobody says from how far, near as that pulls out; where one of
+    them swerves round it then, ego, nobody says how fast, is slow enough to be passed, and who comes the other way is
+    there meanwhile."""
     place, ego = structure.place.spec, structure.ego.spec
     assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
     pulls_out = bool(ego.phases) and ego.phases[0].action == "enter_road" and ego.phases[0].trigger is None
@@ -122,14 +123,16 @@ def gone_round(structure: Structure) -> Structure:
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
         waits = (p.trigger for p in spec.phases if p.action == "swerve" and p.target == "ego" and p.trigger)
-        if spec.placement.position != "behind" or not any(t.of == "ego" and t.action == "enter_road" for t in waits):
-            continue
         own, at = middle(speed_of(spec, place)), spec.placement
-        if ego.phases[0].speed is None:
-            structure = with_phase(structure, "E", 0, speed=round(PULLS_OUT * own, 1))
-        if at.gap is None:
+        if at.of != "ego" or "behind" not in (at.position, at.along) or is_static(spec):
+            continue
+        if at.gap is None and at.position in ("behind", "left_lane"):
             changes = {"gap": round(own * (UNDISTURBED + WARNED), 1)}
             structure = structure.with_spec(component.id, placement=at.model_copy(update=changes))
+        if not any(t.of == "ego" and t.action == "enter_road" for t in waits):
+            continue
+        if ego.phases[0].speed is None:
+            structure = with_phase(structure, "E", 0, speed=round(PULLS_OUT * own, 1))
         for other in structure.objects:
             there = other.spec.placement if isinstance(other.spec, ObjectSpec) else None
             if there is not None and there.position == "oncoming_lane" and there.gap is None:

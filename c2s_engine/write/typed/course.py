@@ -114,7 +114,7 @@ class Course:
         spec, met = self.actor.spec, {p.target for p in self.actor.spec.phases}
         for cid, o in self._objects.items():
             calm = {p.action for p in o.phases} <= {"keep_lane"} and not is_static(o)
-            named = cid in met or cid == getattr(spec, "react_to", None)
+            named = cid in met or getattr(spec, "react_to", None) in (None, cid)
             ahead = o.placement.position == "ahead" and o.placement.facing != "against"
             if calm and ahead and not named and self.actor.plan.lane_of.get(cid) == 0 \
                     and middle(speed_of(o, self.actor.plan.place)) < self.value - 1:  # fmt: skip

@@ -15,7 +15,7 @@ from c2s_engine.write.typed.evasion import grip
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import first_in_line
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static, is_vehicle
 from c2s_engine.write.typed.threats import (
     every,
     hits_ego,
@@ -95,13 +95,27 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
             room = (f"gap(self, {every(actor.structure, c)}) > self.speed" for c in ring)
             over = " and ".join([f"{force} <= 0", *room])
             brakes = f"do Drive(line, 0, rate=lambda: max({scope.number(rate)}, min(9, 1.1 * {force}))) until {over}"
-        return _around(statements, threats, limit, brakes)
+        return [*_around(statements, threats, limit, brakes), *_stays_behind(actor, cids)]
     others = [] if spec.react_to else once_seen(actor.structure, [c for c in cids if c not in on_foot])
     before_them = _ends_standing(actor.structure) or stands and not stops_for.isdisjoint({None, *on_foot})
     return [
         *_around(statements, others, limit, _brakes(others, rate, stands=limit if stands else 0) if others else ""),
         *_stop_for(actor, on_foot, spec.hard, before_them),
     ]
+
+
+def _stays_behind(actor: Actor, cids: list[str]) -> list[str]:
+    """How ego that just drives goes on that has braked for a slower one, which just drives too: behind it."""
+    found = [(c, actor.structure[c].spec) for c in cids]
+    if len(found) != 1 or any(p.action != "keep_lane" for p in actor.spec.phases) or actor.plan.junction:
+        return []
+    cid, o = found[0]
+    drives = isinstance(o, ObjectSpec) and is_vehicle(o.type) and not is_static(o)
+    if not drives or o.placement.position != "ahead" or o.placement.facing == "against":  # type: ignore[union-attr]
+        return []
+    if any(p.action != "keep_lane" for p in o.phases):  # type: ignore[union-attr]
+        return []
+    return [f"    do Drive(line, lambda: pace(self, {scope.reference(actor.structure, cid)}, {actor.speed}))"]
 
 
 def _hardest(structure: Structure) -> float:

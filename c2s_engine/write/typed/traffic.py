@@ -91,6 +91,9 @@ def _pace_for_ego(structure: Structure, ego: EgoSpec) -> float | None:
         level = spec.placement.position == "beside" or spec.placement.along == "abreast"
         if component.id not in followed and not (level and spec.placement.of == "ego"):
             continue
+        own, usual = (middle(speed_of(s, structure.place.spec)) for s in (ego, spec))  # type: ignore[arg-type]
+        if level and {p.action for p in spec.phases} <= CALM and _open_pace(spec) and usual < own:  # it stays there
+            return usual
         if is_vehicle(spec.type) and spec.speed is not None and middle(spec.speed) > 0 and spec.type != "bicycle":
             return middle(spec.speed)
     return None

@@ -45,10 +45,10 @@ def required(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
             yield scene.make("place", "gap_then", actor, f"{path}.gap", f"{name}: {said} {low(phase.gap):g} m from "
                              f"{scene.named(other)}, {when}.", other=other, of=of, action=phase.action,
                              later=later, least=low(phase.gap), most=high(phase.gap))  # fmt: skip
-    lasts = phase.duration is not None and phase.action in OVER_LINE and not phase.abandoned
-    if lasts and scene.stated(cid, f"{path}.duration"):
-        yield scene.make("phase", "lasts", actor, f"{path}.duration", f"{name}: {said} in {low(phase.duration):g} s.",
-                         of=of, least=low(phase.duration), most=high(phase.duration))  # type: ignore[arg-type]  # fmt: skip
+    lasts = phase.duration if phase.action in OVER_LINE and not phase.abandoned else None
+    if lasts is not None and scene.stated(cid, f"{path}.duration"):
+        yield scene.make("phase", "lasts", actor, f"{path}.duration", f"{name}: {said} in {low(lasts):g} s.", of=of,
+                         least=low(lasts), most=high(lasts))  # fmt: skip
     if phase.lateral_speed is not None and phase.action in SIDEWAYS and scene.stated(cid, f"{path}.lateral_speed"):
         yield scene.make("speed", "moves_aside", actor, f"{path}.lateral_speed", f"{name}: {said} at "
                          f"{low(phase.lateral_speed):g} m/s sideways.", of=of, action=phase.action,
@@ -137,7 +137,7 @@ def gap_then(requirement: Requirement, evidence: Evidence) -> Result:
         return unknown(requirement, said, "not reached: it was not seen")
     room = max(limits["gap"]["value"], limits["gap_share"]["value"] * most)
     if v["later"]:
-        when = range(motion.at(time), min(len(motion.x), len(other.x)))
+        when = list(range(motion.at(time), min(len(motion.x), len(other.x))))
         gaps = [lengthwise(motion, other, at) for at in when]
         off = np.abs(np.array(gaps) - np.clip(gaps, least, most))
         best = int((off < room / 2).argmax()) or int(off.argmin())

@@ -176,7 +176,7 @@ def smooth(requirement: Requirement, evidence: Evidence) -> Result:
     speed = motion.smooth
     again = [(a, b) for a, b in zip(turns[2:], turns[3:], strict=False) if speed[b] < speed[a]]
     without = [a for a, b in again if not _newly_slowed(motion, evidence, a, b)]
-    most = max(1, int(requirement.values["said"]))  # type: ignore[call-overload]
+    most = max(1, int(requirement.values["said"]))  # type: ignore[arg-type]
     seen = f"slows down again {len(without)} times" if without else "none"
     return scored(requirement, (most + 0.5 - len(without)) / most, said, seen,
                   float(motion.time[without[-1]]) if without else None)  # fmt: skip

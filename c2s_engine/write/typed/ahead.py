@@ -173,7 +173,7 @@ def joined(structure: Structure) -> Structure:
     assert isinstance(ego, EgoSpec) and isinstance(place, PlaceSpec)
     phase = next((p for p in ego.phases if p.action in LATERAL), None)
     whom = phase.target if phase is not None and not phase.abandoned else None
-    found = _first(structure, whom) if place.kind == "on_ramp" and whom in structure else None
+    found = _first(structure, whom) if place.kind == "on_ramp" and whom and whom in structure else None
     if phase is None or whom is None or found is None:
         return structure
     first, chain = found

@@ -258,8 +258,8 @@ def _towards_edge(actor: Actor) -> str:
     swerving: so near to that edge that it does; "": it keeps to the middle."""
     phases = actor.spec.phases
     hit = {p.target for p in phases if p.action == "collide"} & {p.target for p in phases if p.action == "swerve"}
-    for cid in hit - {None}:
-        other = actor.structure[cid].spec if cid in actor.structure else None
+    for cid in hit:
+        other = actor.structure[cid].spec if cid and cid in actor.structure else None
         if isinstance(other, ObjectSpec) and other.placement.position == "partly_in_lane":
             off = EDGE + IN_ITS_WAY - (WIDTH[actor.spec.type] + WIDTH[other.type]) / 2
             return scope.number(round(max(off, 0.0) * (1 if other.placement.side == "left" else -1), 2) or 0)

@@ -240,8 +240,7 @@ def _until_over(p: Phase) -> str:
 
 def _back_again(c: Course, p: Phase, side: int) -> list[Step]:
     """A lane change that is broken off: over the line by some of its width, and back."""
-    goal, shift = c.set(c.wanted(p, _moving(c))), lateral.shift_of(p)
-    said = shift if p.lateral_speed is not None else None
+    goal, shift, said = c.set(c.wanted(p, _moving(c))), lateral.shift_of(p), lateral.said(p)
     out = c.drive(goal, offset=scope.number(side * BROKEN_OFF), shift=said)
     back = f"for {scope.number(round(lateral.sideways(BROKEN_OFF, shift) + 1, 1))} seconds"
     return [([out], ending(p, f"for {scope.number(round(lateral.sideways(BROKEN_OFF, shift) + 0.4, 1))} seconds")),
@@ -262,7 +261,7 @@ def _enter_road(c: Course, p: Phase) -> list[Step]:
 def _sideways(c: Course, p: Phase, metres: float, shift: float, seconds: float | None) -> list[Step]:
     side = _side(p, -1 if metres < 0 else 1)
     if p.lateral_speed is not None:
-        shift = middle(p.lateral_speed)
+        shift = lateral.shift_of(p)
         seconds = seconds and max(seconds, round(lateral.sideways(abs(metres), shift) + 0.5, 1))
     out = c.drive(c.set(c.wanted(p, c.value)), offset=scope.number(side * abs(metres)), shift=shift)
     if hit := hit_next(c, p):

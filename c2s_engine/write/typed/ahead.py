@@ -26,9 +26,8 @@ RAMP, CONNECTS = 4.0, 80.0
 """s of its way on the ramp, and m from there to the acceleration lane, on which ego is before it: a guess, too."""
 GAINS = 2.5
 """m/s2 at which it speeds up."""
-PULLS_OUT, WARNED, OUT = 0.5, 2.2, 1.8
-"""Of the speed of who goes round it, that of one that pulls out; s before it is there at which that is seen, and s
-later that it is out of its lane."""
+PULLS_OUT, WARNED = 0.5, 2.2
+"""Of the speed of who goes round it, that of one that pulls out; s before it is there at which that is seen."""
 SLOWS = 3.0
 """m/s2 at which ego does."""
 SETTLES = 0.5
@@ -136,7 +135,8 @@ def gone_round(structure: Structure) -> Structure:
         for other in structure.objects:
             there = other.spec.placement if isinstance(other.spec, ObjectSpec) else None
             if there is not None and there.position == "oncoming_lane" and there.gap is None:
-                comes = middle(speed_of(other.spec, place)) * (UNDISTURBED + WARNED + OUT)  # type: ignore[arg-type]
+                comes = middle(speed_of(other.spec, place)) * (UNDISTURBED + WARNED)  # type: ignore[arg-type]
+                comes -= LENGTH[spec.type] + LENGTH[other.spec.type]  # type: ignore[union-attr]
                 structure = structure.with_spec(other.id, placement=there.model_copy(update={"gap": round(comes, 1)}))
     return structure
 

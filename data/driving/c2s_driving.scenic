@@ -1291,9 +1291,7 @@ def _along_roads(fits, length=0, least=0, limit=None, speed=0, share=0, **lanes)
         fast = [place for place in long if speed and bends_allow(place.lane, speed, metres)]
         if fast or long and not (speed and share):
             best = _posted(_exactly(lanes.get('lanes'), fast or [*long]), limit)
-            best = [place for place in best if unstopped(long[place].lane, length)] or best
-            ends = [place for place in best if lanes.get('oncoming') and not place.oncoming_lane.maneuvers]
-            return [place for place in best if place not in ends] or best  # those who come by there drive on
+            return [place for place in best if unstopped(long[place].lane, length)] or best
     if lanes.get('lanes') == 1 and not share:  # no road that long has only one
         return _along_roads(fits, length, least, limit, speed, **{**lanes, 'lanes': None})
     return []

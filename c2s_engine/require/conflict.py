@@ -14,6 +14,7 @@ from c2s_engine.require.crossing import crosses
 from c2s_engine.require.due import arrival, conflict_begins, to_meet
 from c2s_engine.require.evidence import Evidence, Motion
 from c2s_engine.require.geometry import box_distance, lead, post_encroachment, time_to_collision
+from c2s_engine.require.moments import OVER_LINE
 from c2s_engine.require.natural import MOVING
 from c2s_engine.require.outcome import struck as struck_pairs
 from c2s_engine.require.results import between, scored, span, unknown, words
@@ -22,7 +23,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result, Value
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
 from c2s_engine.structure.triggers import gives_way_by
 
 THREATS = ("cut_in", "cross_road", "enter_road", "run_red", "run_stop", "oncoming", "reverse", "drift", "u_turn",
@@ -38,6 +39,8 @@ BESIDE = ("roadside", "sidewalk", "parked", "intersection_exit")
 ANSWERS = ("brake", "stop", "swerve", "lane_change", "yield", "wait")
 """What ego does of its own accord in answer to another, where it names whom or waits for what that one does."""
 
+LATER = Trigger(kind="time", value=60.0)
+"""After all runs."""
 GONE_BY = ("apart", "passed", "speed", "light", "place")
 """What one waits for that is no threat any more, or never was."""
 
@@ -81,7 +84,7 @@ def unaware(structure: Structure) -> Structure:
     """S whose ego does what it does of its own accord and does not answer to the one that S names, or, where it names
     none, to anybody.
 
-    Who follows drives on at its speed: keeping the distance is a reaction too.
+    Who follows that one drives on at its speed: keeping the distance is a reaction too.
     """
     spec = structure.ego.spec
     assert isinstance(spec, EgoSpec)
@@ -95,9 +98,20 @@ def unaware(structure: Structure) -> Structure:
     kept = spec.phases[:first]
     if first < len(spec.phases) and spec.phases[first].action == "yield":  # what it then does, it does at once
         kept += spec.phases[first + 1 :]
-    phases = tuple(p.model_copy(update=blind) if p.action == "follow" else p for p in kept)
-    changed = spec.model_copy(update={"reaction": "none", "hard": False, "react_to": None, "phases": phases})
+    others = (None, spec.react_to or None)
+    followed = [p for p in kept if p.action == "follow" and (spec.react_to is None or p.target in others)]
+    phases = tuple(p.model_copy(update=blind) if p in followed else p for p in kept)
+    phases = tuple(_gone_through_with(p) if p.abandoned else p for p in phases)  # breaking off is an answer, too
+    of = spec.react_to if any(p.abandoned for p in kept) else None  # for whom it does not wait
+    changed = spec.model_copy(update={"reaction": "none", "hard": False, "react_to": of, "phases": phases})
     return structure.with_component(structure.ego.model_copy(update={"spec": changed}))
+
+
+def _gone_through_with(phase: Phase) -> Phase:
+    """What is begun and broken off, gone on with: who overtakes stays out, from where it starts the same."""
+    if phase.action in OVER_LINE:
+        return phase.model_copy(update={"abandoned": False})
+    return phase.model_copy(update={"until": LATER} if phase.action == "overtake" else {})
 
 
 def required(scene: Scene) -> Iterator[Requirement]:
@@ -116,10 +130,18 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if reacts and scene.ego.reaction != "follow":
             others = tuple(a for a in scene.objects if a != actor)
             beside: dict[str, Value] = {"others": others} if others else {}
+            beside |= _cue(scene, actor)
             yield scene.make("reaction", "reacts", EGO, f"reaction.{actor}", f"Ego reacts to {name} once it can be "
                              "seen, in time, and not before.", other=actor,
                              action=_onset_of(scene, actor), hard=scene.ego.hard,
                              **beside)  # type: ignore[arg-type]  # fmt: skip
+
+
+def _cue(scene: Scene, actor: str) -> dict[str, Value]:
+    """What another than the threat does that S has ego wait for before it answers: that is cause enough."""
+    waits = (p.trigger for p in scene.ego.phases if answers(p, scene.structure) and p.trigger is not None)
+    told = next((t for t in waits if t.kind == "action" and t.of not in (None, EGO, actor) and t.action), None)
+    return {"cue": str(told.of), "its": str(told.action)} if told is not None else {}
 
 
 def _turns_off(scene: Scene, actor: str) -> bool:
@@ -308,6 +330,9 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
     if time is None:
         return scored(requirement, -1.0, said, "ego does not react")
     causes = [cause for m in members if (cause := _cause(m, str(requirement.values["action"]))) is not None]
+    if causes and "cue" in requirement.values:
+        cues = (_cause(m, str(requirement.values["its"])) for m in evidence.motions(str(requirement.values["cue"])))
+        causes += [cue for cue in cues if cue is not None]
     time = _next_reaction(requirement, evidence, time, min(causes, default=0.0))
     if not causes:
         return scored(requirement, -1.0, said, f"ego reacts at {time:.1f} s to what it never could see", time)

@@ -21,7 +21,8 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.requirements import Requirement
 
 PARTS = (
-    road, actors, starts, phases, manoeuvres, watched, crossing, outcome, conflict, giving_way, natural, rules, limits, pace,
+    road, actors, starts, phases, manoeuvres, watched, crossing,
+    outcome, conflict, giving_way, natural, rules, limits, pace,
 )  # fmt: skip
 """Phases come before what reads their moments."""
 

@@ -124,7 +124,7 @@ def overtaking_broken_off(requirement: Requirement, evidence: Evidence) -> Resul
     out, peak = limits["out"]["value"], int(aside.argmax())
     back = np.flatnonzero(aside[peak:] < limits["back"]["value"])
     if len(back) and aside[peak] > out:
-        evidence.times[requirement.id] = float(motion.time[peak + back[0]])
+        evidence.times[requirement.id] = float(motion.time[int((aside > out).argmax())])
     margin = min((float(aside[peak]) - out) / out, -float(ahead.max()) / 5.0, 1.0 if len(back) else -1.0)
     seen = f"{aside[peak]:.1f} m out, {'ahead of it' if ahead.max() > 0 else 'behind it'}, " \
         f"{'back' if len(back) else 'not back'}"  # fmt: skip

@@ -25,6 +25,8 @@ BEGUN = 0.3
 """m to the side by which one has begun to move there."""
 NEAR = 60.0
 """m within which one is for whom another waits."""
+LATE = 3.0
+"""s before a contact within which one swerves too late."""
 WAITS = 20.0
 """m before a junction within which one waits there."""
 LONGEST = 8.0
@@ -36,12 +38,17 @@ def required(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
     name, said, cid = scene.named(actor), phase.action.replace("_", " "), "E" if actor == EGO else actor
     if phase.gap is not None and phase.action in (*OVER_LINE, *SLOWS, "follow") and scene.stated(cid, f"{path}.gap"):
         other = phase.target or EGO
-        when = {"follow": "all along"}.get(phase.action, "as it begins" if phase.action in SLOWS else
-                                           "as it comes over the lane line")  # fmt: skip
+        later = phase.action == "follow" and not path.endswith(".0")  # it first has to come to that gap
+        lasting = {"follow": "in the end" if later else "all along"}
+        when = lasting.get(phase.action, "as it begins" if phase.action in SLOWS else "as it comes over the lane line")
         if other != actor:
             yield scene.make("place", "gap_then", actor, f"{path}.gap", f"{name}: {said} {low(phase.gap):g} m from "
                              f"{scene.named(other)}, {when}.", other=other, of=of, action=phase.action,
-                             least=low(phase.gap), most=high(phase.gap))  # fmt: skip
+                             later=later, least=low(phase.gap), most=high(phase.gap))  # fmt: skip
+    lasts = phase.duration if phase.action in OVER_LINE and not phase.abandoned else None
+    if lasts is not None and scene.stated(cid, f"{path}.duration"):
+        yield scene.make("phase", "lasts", actor, f"{path}.duration", f"{name}: {said} in {low(lasts):g} s.", of=of,
+                         least=low(lasts), most=high(lasts))  # fmt: skip
     if phase.lateral_speed is not None and phase.action in SIDEWAYS and scene.stated(cid, f"{path}.lateral_speed"):
         yield scene.make("speed", "moves_aside", actor, f"{path}.lateral_speed", f"{name}: {said} at "
                          f"{low(phase.lateral_speed):g} m/s sideways.", of=of, action=phase.action,
@@ -101,6 +108,13 @@ def onset(motion: Motion, action: str, time: float) -> float:
     return time
 
 
+def cut_off(motion: Motion) -> list[float]:
+    """When one begins to move aside that is still at it when it touches somebody."""
+    first = motion.at(motion.time[-1] - LATE)
+    moved = np.abs(beside(motion)[first:] - beside(motion)[first]) > BEGUN / 2
+    return [float(motion.time[first + int(moved.argmax())])] if motion.contact is not None and moved.any() else []
+
+
 def over_line(motion: Motion, time: float) -> float | None:
     """When its side comes over the lane line in a move to the side that is seen at a time, s."""
     first, last = motion.at(time - LONGEST), motion.at(time + 1.0)
@@ -121,17 +135,24 @@ def gap_then(requirement: Requirement, evidence: Evidence) -> Result:
     time = evidence.times.get(str(v["of"]))
     if motion is None or other is None or time is None:
         return unknown(requirement, said, "not reached: it was not seen")
-    if action == "follow":
+    room = max(limits["gap"]["value"], limits["gap_share"]["value"] * most)
+    if v["later"]:
+        when = list(range(motion.at(time), min(len(motion.x), len(other.x))))
+        gaps = [lengthwise(motion, other, at) for at in when]
+        off = np.abs(np.array(gaps) - np.clip(gaps, least, most))
+        best = int((off < room / 2).argmax()) or int(off.argmin())
+        gap, moment = gaps[best], float(motion.time[when[best]])
+        evidence.times[requirement.id] = moment
+    elif action == "follow":
         when = _while_followed(motion, other, time)
         gaps = [lengthwise(motion, other, at) for at in when]
         gap = gaps[int(np.abs(np.array(gaps) - (least + most) / 2).argmax())]
-        moment: float | None = time
+        moment = time
     else:
-        moment = over_line(motion, time) if action in OVER_LINE else onset(motion, action, time)
-        if moment is None:
+        over = over_line(motion, time) if action in OVER_LINE else onset(motion, action, time)
+        if over is None:
             return unknown(requirement, said, "not reached: it comes over no lane line")
-        gap = lengthwise(motion, other, motion.at(moment))
-    room = max(limits["gap"]["value"], limits["gap_share"]["value"] * most)
+        gap, moment = lengthwise(motion, other, motion.at(over)), over
     return between(requirement, gap, room, said, f"{gap:.1f} m", moment)
 
 
@@ -148,6 +169,18 @@ def _while_followed(motion: Motion, other: Motion, time: float) -> list[int]:
     return list(range(first, max(first + 1, min([last, *ends]))))
 
 
+def too_late(motion: Motion, other: Motion | None) -> float | None:
+    """s by which one that comes over the lane line behind somebody would have to be there later (below 0: earlier) to
+    do so well ahead; None: it does not come over."""
+    moved = np.abs(beside(motion)) >= (LANE - motion.size[1]) / 2
+    if other is None or not moved.any():
+        return None
+    at = min(int(moved.argmax()), len(other.x) - 1)
+    ahead = -float(lead(motion.poses[at], other.poses[at]))
+    wanted = (motion.size[0] + other.size[0]) / 2 + bounds()["phase"]["gap"]["value"] * 4
+    return round(-max(wanted - ahead, 0.0) / max(float(other.speed[at]), 1.0), 2) or None
+
+
 def moves_aside(requirement: Requirement, evidence: Evidence) -> Result:
     limits, said = bounds()["phase"], f"{words(requirement, 'm/s')} sideways"
     motion, time = evidence.motion(requirement.actor), evidence.times.get(str(requirement.values["of"]))
@@ -162,6 +195,20 @@ def moves_aside(requirement: Requirement, evidence: Evidence) -> Result:
     seen = float(np.median(speeds[speeds > 0.5 * speeds.max()]))
     room = limits["lateral"]["value"] + limits["lateral_share"]["value"] * span(requirement)[1]
     return between(requirement, seen, room, said, f"{seen:.1f} m/s", time)
+
+
+def lasts(requirement: Requirement, evidence: Evidence) -> Result:
+    """From when it begins to move aside until it is in the middle of the other lane."""
+    limits, said = bounds()["phase"], words(requirement, "s")
+    motion, time = evidence.motion(requirement.actor), evidence.times.get(str(requirement.values["of"]))
+    if motion is None or time is None:
+        return unknown(requirement, said, "not reached: it was not seen")
+    first, last = motion.at(time - LONGEST), motion.at(time + LONGEST)
+    moved = np.abs(beside(motion)[first : last + 1] - beside(motion)[first])
+    begins, ends = (int((moved > far).argmax()) for far in (BEGUN / 2, min(moved.max(), LANE) - BEGUN))
+    room = limits["lasts"]["value"] + limits["lasts_share"]["value"] * span(requirement)[1]
+    seen = (ends - begins) * motion.step
+    return between(requirement, seen, room, said, f"{seen:.1f} s", float(motion.time[first + begins]))
 
 
 def delayed(requirement: Requirement, evidence: Evidence) -> Result:
@@ -213,7 +260,7 @@ def kept_from(motion: Motion, time: float, within: float = 1.0) -> list[float]:
 
 
 def breaks_off(requirement: Requirement, evidence: Evidence) -> Result:
-    """It goes some way towards the next lane, and is back in the middle of its own without having been in the other."""
+    """It comes some way over the lane line, and is back in the middle of its own without having been in the other."""
     limits, said = bounds()["phase"], "begun, and back in its own lane"
     motion = evidence.motion(requirement.actor)
     if motion is None:
@@ -227,7 +274,8 @@ def breaks_off(requirement: Requirement, evidence: Evidence) -> Result:
     far = float(np.abs(moved - moved[0]).max())
     again = np.abs(moved[out[0] :] - moved[0]) < back
     seen = f"{far:.1f} m to the side, " + ("and back" if again.any() else "and stays there")
-    margin = min((LANE / 2 + motion.size[1] / 2 - far) / 1.0, 1.0) if again.any() else -1.0
+    over = far - (LANE - motion.size[1]) / 2
+    margin = min(motion.size[1] - over, (over - limits["over"]["value"]) / 0.5, 1.0) if again.any() else -1.0
     return scored(requirement, margin, said, seen, float(motion.time[out[0]]))
 
 
@@ -245,4 +293,4 @@ def halts_before(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 CHECKS = {"halts_before": halts_before, "gap_then": gap_then, "moves_aside": moves_aside, "delayed": delayed,
-          "breaks_off": breaks_off}  # fmt: skip
+          "breaks_off": breaks_off, "lasts": lasts}  # fmt: skip

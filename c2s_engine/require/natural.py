@@ -35,6 +35,10 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if spec.speed != 0 and not (actor == EGO and scene.ego.reaction != "none"):
             text = f"{name} neither surges nor slows without a reason" + (" before it is said to." if changes else ".")
             yield scene.make("natural", "steady", actor, "steady", text, until=changes)
+        if actor == EGO and scene.ego.reaction != "none" and scene.recognised(actor):
+            slows = sum(p.action in CHANGES for p in spec.phases)
+            text = "Ego does not speed up and slow down again and again."
+            yield scene.make("natural", "smooth", actor, "smooth", text, said=slows)
         if (target := next((t for a, t in hits if a == actor), None)) is not None:
             gains = bool(actions & set(GAINS)) or spec.speed == 0 or spec.type in ON_FOOT  # these set out
             yield scene.make("natural", "no_aiming", actor, "no_aiming", f"{name} neither speeds up into nor steers "
@@ -161,7 +165,48 @@ def steady(requirement: Requirement, evidence: Evidence) -> Result:
     return scored(requirement, (limit - worst) / limit, said, f"{worst:.1f} m/s", when)
 
 
-def explained(motion: Motion, evidence: Evidence, first: int, last: int) -> bool:
+def smooth(requirement: Requirement, evidence: Evidence) -> Result:
+    """How often it slows down again after it had done so and gained speed, with nobody in its way new or slower, more
+    often than S says changes of speed."""
+    said, motion = "no surging", evidence.motion(requirement.actor)
+    if motion is None:
+        return unknown(requirement, said, "not reached: it is not there")
+    limit = bounds()["speed"]["surge"]["value"]
+    turns = _extremes(motion.smooth, motion.at(bounds()["natural"]["settles"]["value"]), limit)
+    speed = motion.smooth
+    again = [(a, b) for a, b in zip(turns[2:], turns[3:], strict=False) if speed[b] < speed[a]]
+    without = [a for a, b in again if not _newly_slowed(motion, evidence, a, b)]
+    most = max(1, int(requirement.values["said"]))  # type: ignore[arg-type]
+    seen = f"slows down again {len(without)} times" if without else "none"
+    return scored(requirement, (most + 0.5 - len(without)) / most, said, seen,
+                  float(motion.time[without[-1]]) if without else None)  # fmt: skip
+
+
+def _extremes(speed: np.ndarray, first: int, least: float) -> list[int]:
+    """The steps, from one on, between which the speed rises or falls by so much (m/s) or more, in turn."""
+    found, last, trend = [first], first, 0.0
+    for k in range(first, len(speed)):
+        change = float(speed[k] - speed[last])
+        if trend * change > 0 or not trend and abs(change) >= least:
+            trend, last = float(np.sign(change)), k
+        elif trend and abs(change) >= least:
+            found, trend, last = [*found, last], -trend, k
+    return [*found, last]
+
+
+def _newly_slowed(motion: Motion, evidence: Evidence, first: int, last: int) -> bool:
+    """Whether something makes it slow down then: a turn, a control ahead, somebody who comes into its way or slows."""
+    before = max(first - round(2 / motion.step), 0)
+    for other in evidence.everybody:
+        at, then = (min(k, len(other.x) - 1) for k in (before, last))
+        slower = float(other.smooth[at : then + 1].max() - other.smooth[then]) > bounds()["speed"]["surge"]["value"]
+        there = [in_its_way(motion, other, k, bounds()["reason"]["headway"]["value"]) for k in (before, last)]
+        if there[1] and (slower or not there[0]):
+            return True
+    return explained(motion, evidence, first, last, others=False)
+
+
+def explained(motion: Motion, evidence: Evidence, first: int, last: int, others: bool = True) -> bool:
     """Whether something on the road is a reason to change speed then: a turn, a control ahead, somebody in its way."""
     limits = bounds()["reason"]
     around = slice(max(0, first - round(4 / motion.step)), last + round(6 / motion.step))
@@ -173,7 +218,8 @@ def explained(motion: Motion, evidence: Evidence, first: int, last: int) -> bool
         if mark.kind != "junction" and (mark.control or mark.kind == "crosswalk") \
                 and -10.0 < mark.start - front < limits["ahead"]["value"]:  # fmt: skip
             return True
-    return any(in_its_way(motion, other, first, limits["headway"]["value"]) for other in evidence.everybody)
+    there = evidence.everybody if others else []
+    return any(in_its_way(motion, other, first, limits["headway"]["value"]) for other in there)
 
 
 def in_its_way(motion: Motion, other: Motion, step: int, within: float) -> bool:
@@ -207,4 +253,4 @@ def no_aiming(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 CHECKS = {"dynamics": dynamics, "speed_kept": speed_kept, "stands_first": stands_first, "usual_speed": usual_speed,
-          "steady": steady, "no_aiming": no_aiming}  # fmt: skip
+          "steady": steady, "smooth": smooth, "no_aiming": no_aiming}  # fmt: skip

@@ -1,6 +1,7 @@
 """The run begins with what is said, not with a long drive, and is over soon after."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 
 import numpy as np
 
@@ -28,6 +29,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
         return
     then = [f"{'E' if actor == EGO else actor}.phases.{i}.{p.action}" for actor, i, p in scene.phases()
             if i and p.action in ("follow", "stationary", "wait")]  # fmt: skip
+    then += [key.removesuffix("follow") + "gap" for key in then if key.endswith("follow")]  # it has come to that
     timed = max((high(p.trigger.value) for _, _, p in scene.phases()
                  if p.trigger and p.trigger.kind == "time" and p.trigger.value is not None), default=0.0)  # fmt: skip
     if any(p.trigger and p.trigger.place == "merge_end" for _, _, p in scene.phases()):
@@ -59,10 +61,10 @@ def _last(requirement: Requirement, moments: list[float], evidence: Evidence) ->
     comes to its stand or that ego's braking for others is over."""
     seen = ((key, action, m, evidence.times.get(key)) for key, action, m in _seen(requirement, evidence))
     round_it = bool(requirement.values["round"])
-    left = [
-        _leaves(m, t, round_it) if action in AT_JUNCTION else _reached(m, t) for _, action, m, t in seen
-        if t is not None and action in (*AT_JUNCTION, *CHANGES_SPEED)
-    ]  # fmt: skip
+    ends: dict[str, Callable[[Motion, float], float]] = {}
+    ends |= dict.fromkeys(AT_JUNCTION, partial(_leaves, round_it=round_it))
+    ends |= dict.fromkeys(CHANGES_SPEED, _reached) | {"swerve": _back_in_lane}
+    left = [ends[action](m, t) for _, action, m, t in seen if t is not None and action in ends]
     stands = [
         float(m.time[len(m.speed) - 1 - int((m.speed[::-1] >= STANDING).argmax())])
         for m in evidence.everybody if m.moves and m.speed[-1] < STANDING
@@ -88,6 +90,15 @@ def _reached(motion: Motion, time: float) -> float:
     first, last = motion.at(time), motion.at(time + LONGEST_GAIN)
     gaining = motion.acceleration[first : last + 1] > bounds()["phase"]["change_rate"]["value"] / 2
     return float(motion.time[first + int(np.flatnonzero(gaining)[-1])]) if gaining.any() else time
+
+
+def _back_in_lane(motion: Motion, time: float) -> float:
+    """When somebody who leaves the middle of its lane at `time` is back in it; then, where it does not come back."""
+    first, limits = motion.at(time), bounds()["phase"]
+    aside = np.nan_to_num(np.abs(motion.of_course("aside")))[first:]
+    out = int((aside > limits["out"]["value"]).argmax())
+    back = np.flatnonzero(aside[out:] < limits["back"]["value"])
+    return float(motion.time[first + out + back[0]]) if len(back) else time
 
 
 def _leaves(motion: Motion, time: float, round_it: bool) -> float:

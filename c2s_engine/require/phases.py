@@ -185,7 +185,7 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
         if action == "enter_road" and not times and motion.contact is not None and motion.speed[0] < STANDING:
             times = [float(motion.time[k]) for k in np.flatnonzero(motion.speed > 1.0)[:1]]  # struck on its way onto it
         if action == "swerve":
-            times = [_begun(motion, t) for t in times]
+            times = [_begun(motion, t) for t in times] or moments.cut_off(motion)
         if action in AT_JUNCTION and not times:
             times = _cut_short(motion, action)
         if action == "yield" and not times:
@@ -251,7 +251,9 @@ def _missed(requirement: Requirement, evidence: Evidence, motion: Motion, action
         n = min(len(motion.x), len(other.x))
         gap = float(box_distance(motion.poses[:n], other.poses[:n], motion.size, other.size).min())
         margin, seen = min(-0.05, -gap / 5), f"no nearer than {gap:.1f} m"
-    return scored(requirement, margin, said, seen)
+    cuts_in = action == "cut_in" and requirement.other is not None
+    due = moments.too_late(motion, evidence.motion(requirement.other or EGO)) if cuts_in else None
+    return scored(requirement, margin, said, seen, due=due)
 
 
 def in_order(requirement: Requirement, evidence: Evidence) -> Result:
@@ -297,7 +299,8 @@ def to_side(requirement: Requirement, evidence: Evidence) -> Result:
     said = str(requirement.values["side"])
     if motion is None or time is None:
         return unknown(requirement, said, "not reached: it was not seen")
-    aside, first = motion.of_course("aside"), motion.at(time - 4.0)
+    begins = str(requirement.values["of"]).endswith(".swerve")  # the others are seen once they are over
+    aside, first = motion.of_course("aside"), motion.at(time - (0.5 if begins else 4.0))
     moved = aside[first : motion.at(time + 3.0) + 1] - aside[first]
     most = float(moved[np.abs(moved).argmax()]) if len(moved) else float("nan")
     margin = most if said == "left" else -most

@@ -181,6 +181,8 @@ def begins_when(requirement: Requirement, evidence: Evidence) -> Result:
         return decided(requirement, False, said, f"at {seen:.1f} s, and that never comes about", seen)
     due = since + float(v["delay"])  # type: ignore[arg-type]
     begun = moments.onset(motion, str(v["action"]), seen)
+    if v["action"] in moments.OVER_LINE and (over := moments.over_line(motion, seen)) is not None:
+        begun = min(max(begun, due), over)  # it begins before that, and is over the line after it
     if v["action"] == "stop" and (v["watched"] == "contact" or v["watched"] == "place" and float(v["value"]) <= 0):  # type: ignore[arg-type]
         # it stands there, or comes to rest then, having slowed down before
         begun = min(max(begun, due), seen)

@@ -8,15 +8,20 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 HOLDS = ("keep_lane", "accelerate", "collide", "drift", "run_red", "run_stop", "oncoming", "lose_control", "reverse")
 """What ego does of its own accord whatever the others do."""
 
+EVADES = ("brake", "stop", "swerve", "lane_change", "yield", "leave_road")
+"""What others do because of what ego does."""
+
 
 def with_usual_reaction(structure: Structure) -> Structure:
     """S whose ego brakes for what comes into its way, where S says neither how it reacts nor that it does not (it
-    drives on of its own accord, or is hit)."""
+    drives on of its own accord, is hit, or the others get out of its way)."""
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
     objects = [c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)]
     struck = any(p.action == "collide" and p.target in (None, EGO) for o in objects for p in o.phases)
-    if ego.reaction != "none" or struck or not objects or any(p.action in HOLDS for p in ego.phases):
+    evaded = any(p.action in EVADES and p.trigger and p.trigger.kind == "action" and p.trigger.of == EGO
+                 for o in objects for p in o.phases)  # fmt: skip
+    if ego.reaction != "none" or struck or evaded or not objects or any(p.action in HOLDS for p in ego.phases):
         return structure
     note = Assumption(field="reaction", value="brake", by=PLANNER,
                       reason="nothing says how ego reacts: it brakes for what comes into its way")  # fmt: skip

@@ -506,7 +506,7 @@ def bend_speed(points, i):
         fastest = min(fastest, math.sqrt(4 / max(bend, 0.001) + 8 * max(k - i - 1, 0)))
     return fastest
 
-SIDEWAYS = 3  # m/s2 at which drivers begin to move aside
+SIDEWAYS = 3  # m/s2 at which drivers begin to move aside, who are in no hurry
 
 behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
     """Follow points at `speed` (m/s, or a function that gives it), changing it by `rate` (m/s2, likewise); `offset` m
@@ -521,7 +521,7 @@ behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
         while i < last - 1 and (distance from self to points[i + 2]) <= (distance from self to points[i]):
             i += 1
         goal = min(speed() if callable(speed) else speed, bend_speed(points, i), math.sqrt(12 * max(last - i - 4, 0)))
-        gained = SIDEWAYS * simulation().timestep
+        gained = max(SIDEWAYS, 2 * shift - 2) * simulation().timestep
         wanted = offset() if callable(offset) else offset
         aside += max(-gained, min(gained, max(-shift, min(shift, max(1.2, 0.6 * shift) * (wanted - beside))) - aside))
         beside += aside * simulation().timestep

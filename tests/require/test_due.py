@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import pytest
-from roads import Actor, Scene
+from roads import Actor, Scene, ramp
 
 from c2s_engine.require import evaluate, require
 from c2s_engine.require.due import to_touch
@@ -11,7 +11,7 @@ from c2s_engine.require.evidence import Evidence
 from c2s_engine.require.geometry import face
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.requirements import Result
-from c2s_engine.structure.specs import ObjectSpec, Phase, Placement
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement
 
 EGO = Actor("ego", "E", speed=10.0)
 CROSSES = Actor("van", "O1", speed=8.0, x=-64.0, y=80.0, across=True)
@@ -62,3 +62,17 @@ def test_a_stated_arrival_where_ways_meet_is_measured(late, holds):
     found = result(spec, late, "arrives_where_ways_meet")
     assert found.holds is holds and found.value == pytest.approx(late, abs=0.3)
     assert (found.due is None) is holds
+
+
+@pytest.mark.parametrize("behind", [0.0, 12.0])
+def test_who_comes_over_behind_whom_it_is_to_come_in_front_of_is_told_by_how_much(behind):
+    moves = ramp((0, 0), (3, 0), (5, -3.5), (12, -3.5))
+    other = Actor("van", "O1", speed=10.0, x=-3.5, y=behind)
+    run = Scene([Actor("ego", "E", speed=10.0, x=moves), other]).run()
+    cuts_in = Component(id="E", spec=EgoSpec(phases=(Phase(action="cut_in", target="O1"),)))
+    beside = Component(id="O1", spec=ObjectSpec(placement=Placement(position="left_lane")))
+    asked = Structure(ego=cuts_in, objects=(beside,))
+    required = [r for r in require(asked) if r.check == "shown"]
+    missed = evaluate(required, run.facts, run.trajectories)[0]
+    assert missed.holds is False
+    assert missed.due == pytest.approx(-(behind + 4.5 + 4) / 10, abs=0.05)  # a car and 4 m ahead

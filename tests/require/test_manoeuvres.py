@@ -50,7 +50,15 @@ def swerves_at(y: float) -> Scene:
     return Scene([ego(x=-2.8, speed=FAST, events=PASSES), rider])
 
 
+BEHIND = s(ObjectSpec(placement=Placement(position="ahead")), ego=EgoSpec(reaction="brake"))
+ONCE = ramp((0, 10), (2, 10), (4, 5.5), (6, 8.5), (12, 7.5))
+AGAIN = ramp((0, 10), (2, 10), (3, 5.5), (4, 8.5), (5, 5.5), (6, 8.5), (7, 5.5), (12, 6))
+WITH_IT = ramp((0, 10), (1, 10), (2, 5.5), (3, 8.5), (4, 5.5), (5, 8.5), (6, 5.5), (12, 6))
 CASES = {
+    "no surging": ("E.smooth", BEHIND, Scene([ego(speed=ONCE), other(speed=7.0)]),
+                   Scene([ego(speed=AGAIN), other(speed=7.0)])),
+    "no surging but with who is ahead": ("E.smooth", BEHIND, Scene([ego(speed=AGAIN), other(speed=WITH_IT)]),
+                                         Scene([ego(speed=AGAIN), other(speed=7.0)])),
     "back in its lane": ("E.phases.0.back", overtaking(), passer(BACK), passer(OUT)),
     "back with a gap": ("E.phases.0.gap", overtaking(gap=30.0), passer(BACK), passer(BACK, 12.0)),
     "broken off": ("E.phases.0.abandoned", ABANDONED, passer(BRIEFLY, 8.0), passer(BRIEFLY, FAST)),

@@ -66,7 +66,7 @@ def test_what_does_not_go_together_is_refused_with_its_field(case) -> None:
 def test_the_time_of_a_move_to_the_side_is_that_of_its_steps(metres, shift) -> None:
     moved, speed, seconds, step = 0.0, 0.0, 0.0, 0.0005
     while moved < metres:
-        speed = min(shift, speed + lateral.SIDEWAYS * step)
+        speed = min(shift, speed + lateral.gained_at(shift) * step)
         moved, seconds = moved + speed * step, seconds + step
     assert lateral.sideways(metres, shift) == pytest.approx(seconds, abs=0.01)
 

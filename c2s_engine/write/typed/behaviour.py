@@ -90,7 +90,8 @@ def _steps(course: Course) -> list[Step]:
             course.aside = ""
         if phase.until is not None and done:
             actor = course.actor
-            out = -2 if phase.abandoned and phase.action in LATERAL else -1
+            back = {**dict.fromkeys(LATERAL, 1), "overtake": 2}.get(phase.action, 0) if phase.abandoned else 0
+            out = -1 - back  # what it is broken off by, before the steps home
             done[out] = (done[out][0], f"until {watched(actor.structure, actor.plan, phase.until, actor.cid)}")
             if i + 1 == len(phases):  # it drives on
                 done.append(([course.drive(course.set(actor.value or SETS_OUT))], ""))
@@ -175,6 +176,8 @@ def phases_of(actor: Actor) -> list[Phase]:
         phases = lights.obeyed(phases, settings)
     if actor.approach:
         phases = _up_to_contact(phases, actor.value)
+    beyond = [q.action == "swerve" and q.target and q.side != "right" for q in phases]  # out there already
+    phases = [p for i, p in enumerate(phases) if p.action != "oncoming" or p.trigger or not (i and beyond[i - 1])]
     if 1 not in actor.plan.offsets:  # by the oncoming lane: the overtaking says so
         after = [*(p.action for p in phases[1:]), ""]
         phases = [p for i, p in enumerate(phases) if (p.action, after[i]) != ("oncoming", "overtake")]

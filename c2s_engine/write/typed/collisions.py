@@ -53,6 +53,9 @@ def collides(c: Course, p: Phase) -> list[Step]:
     beside = _beside_the_lane(c, p) if c.actor.is_ego else ""
     if _over_the_middle(c) or beside == "oncoming_lane":
         return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], f"until touch(self, {other})"), _stands(c)]
+    evades = any(q.action == "swerve" and q.target == p.target for q in c.actor.spec.phases)
+    if beside == "partly_in_lane" and evades and c.actor.is_ego:  # it has swerved too late
+        return [_stands(c)]
     if beside:
         return straight_for(c, p, p.target or "")
     if "overtake" in _before(c, p) and c.lane is not None:  # it comes back too early

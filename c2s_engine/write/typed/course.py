@@ -10,7 +10,7 @@ from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import outwards
-from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, TURN, is_static
+from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, TURN, WIDTH, is_static
 from c2s_engine.write.typed.usual import rides_beside, speed_of, turn_of
 
 GENTLY = {"bicycle", "truck", "bus", "fire_truck"}
@@ -20,6 +20,8 @@ USUAL_GAP, USUAL_HEADWAY = 4.0, 1.5
 """m and s: how one follows another, as `pace` in the driving library has it."""
 HALF_LANE = 1.75
 """m from the lane's middle to its edge, on most maps."""
+IN_ITS_WAY = 0.5
+"""m by which one at the edge of the lane overlaps with ego, before that swerves too late."""
 EDGE = 1.6
 """m from the lane's middle to where those partly in it start, and riders stay."""
 
@@ -103,7 +105,21 @@ class Course:
         if isinstance(spec, EgoSpec) and spec.reaction == "follow" and self.actor.others:
             speed = self.speed if self.value > 0 else scope.number(DEFAULT_SPEED["car"]["road"])  # it moves off with it
             return self.pacing(spec.react_to, speed)
+        if self.actor.is_ego and self.lane == 0 and (slower := self._slower_ahead()):
+            return f"lambda: pace(self, {self.actor.ref(slower)}, {self.speed})"
         return self.speed
+
+    def _slower_ahead(self) -> str | None:
+        """Whom ego comes up to that just drives on ahead in its lane, and does nothing else about than stay behind."""
+        spec, met = self.actor.spec, {p.target for p in self.actor.spec.phases}
+        for cid, o in self._objects.items():
+            calm = {p.action for p in o.phases} <= {"keep_lane"} and not is_static(o)
+            named = cid in met or getattr(spec, "react_to", None) in (None, cid)
+            ahead = o.placement.position == "ahead" and o.placement.facing != "against"
+            if calm and ahead and not named and self.actor.plan.lane_of.get(cid) == 0 \
+                    and middle(speed_of(o, self.actor.plan.place)) < self.value - 1:  # fmt: skip
+                return cid
+        return None
 
     def pacing(self, cid: str | None, speed: str, gap: float | None = None) -> str:
         """The speed of one that follows another: at a gap (m) that is said, that at which it starts where that is
@@ -111,6 +127,9 @@ class Course:
         keeps, of = "", cid or next(iter(self._objects), None)
         lead = self._objects.get(of or "")
         start = lead.placement if self.actor.is_ego and lead else getattr(self.actor.spec, "placement", None)
+        if gap is None and self.actor.is_ego:
+            follows = (p.gap for p in self.actor.spec.phases if p.action == "follow" and (p.target or of) == of)
+            gap = next((middle(g) for g in follows if g is not None), None)
         pace = middle(speed_of(lead, self.actor.plan.place)) if lead else self.actor.plan.ego_speed
         directly = start is not None and start.of == ("ego" if self.actor.is_ego or not lead else of)
         if gap is None and directly and start and start.gap is not None and abs(pace - self.value) < 1:
@@ -186,6 +205,16 @@ class Course:
             return False
         return spec.placement.position == "opposite_approach" or oncoming(spec, self._objects)
 
+    def comes_up_to(self, cid: str) -> bool:
+        """Whether it starts behind another object or ego, in that one's lane or at the edge of which that one is."""
+        own, target = self.actor.spec, self._objects.get(cid)
+        if not isinstance(own, ObjectSpec):
+            return False
+        if target is None:
+            return cid == "ego" and own.placement.of == "ego" and own.placement.position == "behind"
+        ahead = target.placement.position in ("ahead", "partly_in_lane") and target.placement.along != "behind"
+        return ahead and self.actor.plan.lane_of.get(self.actor.cid) in (0, None)
+
     def oncoming_both(self, phase: Phase) -> bool:
         """Whether it and the phase's target both come from the other direction."""
         own, target = self.actor.spec, self._objects.get(phase.target or "")
@@ -211,7 +240,7 @@ def _aside(actor: Actor) -> str:
     waits before the junction keeps to the other side."""
     spec = actor.spec
     if not isinstance(spec, ObjectSpec):
-        return ""
+        return _towards_edge(actor)
     if squeezes := pockets.aside(actor.structure, actor.plan, actor.cid):
         return squeezes
     ego = actor.structure.ego.spec
@@ -222,3 +251,16 @@ def _aside(actor: Actor) -> str:
     if spec.placement.position != "partly_in_lane" or spec.type not in ("bicycle", "motorcycle"):
         return ""
     return scope.number(EDGE if spec.placement.side == "left" else -EDGE)
+
+
+def _towards_edge(actor: Actor) -> str:
+    """How far (m) to the left of the middle of its lane ego drives that hits somebody at the edge of it in spite of its
+    swerving: so near to that edge that it does; "": it keeps to the middle."""
+    phases = actor.spec.phases
+    hit = {p.target for p in phases if p.action == "collide"} & {p.target for p in phases if p.action == "swerve"}
+    for cid in hit:
+        other = actor.structure[cid].spec if cid and cid in actor.structure else None
+        if isinstance(other, ObjectSpec) and other.placement.position == "partly_in_lane":
+            off = EDGE + IN_ITS_WAY - (WIDTH[actor.spec.type] + WIDTH[other.type]) / 2
+            return scope.number(round(max(off, 0.0) * (1 if other.placement.side == "left" else -1), 2) or 0)
+    return ""

@@ -3,9 +3,10 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
-from c2s_engine.write.typed import scope
+from c2s_engine.write.typed import lateral, scope
 from c2s_engine.write.typed.collisions import Step, hit_next, struck_beside, ways_cross
 from c2s_engine.write.typed.course import Course
+from c2s_engine.write.typed.hiding import aside
 from c2s_engine.write.typed.passing import BESIDE, NARROW
 from c2s_engine.write.typed.tables import LANE_WIDTH, WIDTH, is_static, is_vehicle, is_walker
 from c2s_engine.write.typed.threats import beside_way, every, members
@@ -26,8 +27,12 @@ SWERVES, OVER = 2.2, 1.3
 WIDE = 2.3
 CLOSE = 0.2
 """m that are left to who passes one that swerves then."""
+SHIFT = 2.5
+"""m/s sideways at which one swerves."""
 PASSING = 2.0
-"""m between a car and whom it passes who is beside its lane."""
+"""m between one that swerves and whom it passes who is beside its lane, or partly in it: else it would hardly move."""
+CLIPS = 0.1
+"""m by which one that swerves too late still touches whom it hits."""
 CAUTION = 0.7
 """The share of its speed at which one goes round what blocks its lane."""
 
@@ -83,16 +88,38 @@ def goes_round(c: Course, p: Phase) -> list[Step]:
     s, target = c.actor.structure, str(p.target)
     free = [step for step in (1, -1) if (c.lane or 0) + step in c.actor.plan.offsets]
     side = {"left": ", 1", "right": ", -1", None: f", {free[0]}" if len(free) == 1 else ""}[p.side]
-    wide = middle(p.clearance) if p.clearance is not None else PASSING if beside_way(s, target) else None
+    partly = (thing := c.other(target)) is not None and thing.placement.position == "partly_in_lane"
+    wide = middle(p.clearance) if p.clearance is not None else PASSING if partly or beside_way(s, target) else None
     room = f", room={scope.number(wide)}" if wide is not None else ""
     aside = f"lambda: way_round(self, line, [{every(s, target)}]{side}{room})"
-    slower = c.speed if p.speed is not None or _small(c, target) else scope.number(CAUTION * c.value)
+    steady = p.speed is not None or _small(c, target) or not c.actor.is_ego
+    slower, shift = c.speed if steady else scope.number(CAUTION * c.value), lateral.said(p) or SHIFT
     past = " and ".join(f"lead_on({one}, self) < -self.length" for one in members(s, target))
-    found = [([c.drive(slower, 4, aside, 2.5)], f"until {past}")]
+    found = [([c.drive(slower, 4, aside, shift)], f"until {past}")]
     if p.side == "left" and (met := _met(s)):  # they make way for it
         stays = c.drive(slower, 4, scope.number(0.8 * LANE_WIDTH))
         found.append(([stays], f"until {' and '.join(f'passed({one}, self, 0)' for one in met)}"))
     return [*found, ([c.drive()], "for 3 seconds")]
+
+
+def last_moment(c: Course, p: Phase) -> tuple[float, float]:
+    """Of one that swerves for whom it then hits all the same, in its lane or at the edge of that: how far (m) it gets
+    aside, so that it still touches that one, and how long (s) that takes; 0, 0: it does not."""
+    hit, spec = hit_next(c, p), c.other(p.target)
+    there = spec is not None and spec.placement.position in ("ahead", "partly_in_lane")
+    if hit is None or spec is None or not there or not c.actor.is_ego or p.target not in (hit.target, None):
+        return 0.0, 0.0
+    off = abs(aside(c.actor.structure, str(p.target), c.actor.plan) - float(c.aside or 0))
+    metres = max((WIDTH[c.actor.spec.type] + WIDTH[spec.type]) / 2 - off - CLIPS, CLIPS)
+    return round(metres, 2), round(lateral.sideways(metres, lateral.said(p) or SHIFT) + 3 * lateral.ANSWERS, 1)
+
+
+def swerves_too_late(c: Course, p: Phase) -> list[Step]:
+    """Out of the way of whom it hits with its side, as far as it gets until then; nothing: it is in time."""
+    metres, _ = last_moment(c, p)
+    out = scope.number(round(float(c.aside or 0) + (-metres if p.side == "right" else metres), 2))
+    drive = c.drive(c.set(c.wanted(p, c.value)), offset=out, shift=lateral.said(p) or SHIFT)
+    return [([drive], f"until touch(self, {c.actor.ref(p.target)})")] if metres else []
 
 
 def _small(c: Course, cid: str) -> bool:

@@ -9,6 +9,8 @@ from c2s_engine.write.typed.usual import UNDISTURBED, speed_of
 
 SPARE = {"ego": 1.5, "other": 2.0}
 """s after who overtakes is back in its lane, where nobody reacts: ego, or another."""
+JUST = 0.2
+"""s after ego is back that broke off its overtaking for one that came towards it."""
 MET = 1.5
 """s after it would pull out at which ego meets one whom it lets by first."""
 ANSWERED = 1.2
@@ -50,7 +52,9 @@ def facing(structure: Structure, place: PlaceSpec) -> Structure:
         elif passed is not None:
             gap = _meeting(ego, speed, passed) - passed.gap - LENGTH[spec.type]
         elif own is not None and narrow and not hit:
-            until = own.back + SPARE["ego"] if ego.reaction == "none" else own.begins + MET
+            until = own.begins + MET
+            if ego.reaction == "none" or own.phase.abandoned:
+                until = own.back + (JUST if own.phase.abandoned else SPARE["ego"])
             gap = own.travelled(until) + _drives(spec, place) * until
         elif not hit and (begins := _comes_over(spec)) is not None:
             gap = (speed + _drives(spec, place)) * (begins + UNDISTURBED)

@@ -10,6 +10,8 @@ from c2s_engine.write.typed.lanes import lane_offset, leaves_lane
 from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, WIDTH, is_static, is_vehicle
 from c2s_engine.write.typed.usual import UNDISTURBED, speed_of
 
+FOLLOWS = 5.5
+"""s for which one plainly follows another before it pulls out."""
 SLOW = 0.6
 """The speed of one that is overtaken, as a share of who overtakes it, where nothing says how fast it is."""
 FASTER = {"bicycle": 3.0, "motorcycle": 4.0}
@@ -139,7 +141,7 @@ def overtakings(structure: Structure, place: PlaceSpec) -> Iterator[Overtaking]:
             continue
         if phase.abandoned and any(p.trigger for p in spec.phases[at + 1 : at + 2]):  # that says when
             phase = phase.model_copy(update={"abandoned": False})
-        begins = UNDISTURBED
+        begins = FOLLOWS if any(p.action == "follow" for p in spec.phases[at - 1 : at]) else UNDISTURBED
         if phase.trigger is not None and phase.trigger.kind == "time" and phase.trigger.value is not None:
             begins = middle(phase.trigger.value)
         start, slow = middle(speed_of(spec, place)), middle(speed_of(other, place))

@@ -15,7 +15,7 @@ from c2s_engine.write.typed.evasion import grip
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import first_in_line
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static, is_vehicle
 from c2s_engine.write.typed.threats import (
     every,
     hits_ego,
@@ -60,6 +60,8 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
         return _around(statements, seen, 3, _brakes(seen)) if moving else statements
     round_it = {p.target for p in spec.phases if p.action == "overtake" and not _slows(actor.structure, p.target)}
     round_it |= {p.target for p in spec.phases if p.clearance is not None}  # or keeps its own room to them
+    broken_off = any(p.action == "overtake" and p.abandoned for p in spec.phases)  # that is how it answers them
+    round_it |= {c for c in cids if broken_off and _position(actor.structure, c) == "oncoming_lane"}
     cids = [c for c in cids if c not in round_it]  # ego drives past these
     if spec.reaction != "brake" or not cids or spec.react_to in {c for c in round_it if _stands(actor.structure, c)}:
         return statements
@@ -77,8 +79,9 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
         limit = CAREFUL
     if "swerve" in forced:  # it gets past first
         return _around(statements, threats, 8, _brakes(threats, HARD))
-    if "lane_change" in forced:
-        return _around(statements, threats, 5, _brakes(threats, HARD, release=2))
+    if "lane_change" in forced:  # where it brakes first it goes on with that on its way over
+        limit = 8 if "brake" in {p.action for p in spec.phases} else 5
+        return _around(statements, threats, limit, _brakes(threats, HARD, release=2))
     on_foot = [c for c in threats_on_foot(actor.structure) if spec.react_to in (None, c)]
     stands = is_stopped(spec) or _ends_standing(actor.structure)
     stops_for = {p.target for p in spec.phases if p.action == "stop"}
@@ -94,13 +97,27 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
             room = (f"gap(self, {every(actor.structure, c)}) > self.speed" for c in ring)
             over = " and ".join([f"{force} <= 0", *room])
             brakes = f"do Drive(line, 0, rate=lambda: max({scope.number(rate)}, min(9, 1.1 * {force}))) until {over}"
-        return _around(statements, threats, limit, brakes)
+        return [*_around(statements, threats, limit, brakes), *_goes_on_behind(actor, cids)]
     others = [] if spec.react_to else once_seen(actor.structure, [c for c in cids if c not in on_foot])
     before_them = _ends_standing(actor.structure) or stands and not stops_for.isdisjoint({None, *on_foot})
     return [
         *_around(statements, others, limit, _brakes(others, rate, stands=limit if stands else 0) if others else ""),
         *_stop_for(actor, on_foot, spec.hard, before_them),
     ]
+
+
+def _goes_on_behind(actor: Actor, cids: list[str]) -> list[str]:
+    """How ego that just drives goes on that has braked for a slower one, which just drives too: behind it."""
+    found = [(c, actor.structure[c].spec) for c in cids]
+    if len(found) != 1 or any(p.action != "keep_lane" for p in actor.spec.phases) or actor.plan.junction:
+        return []
+    cid, o = found[0]
+    drives = isinstance(o, ObjectSpec) and is_vehicle(o.type) and not is_static(o)
+    if not drives or o.placement.position != "ahead" or o.placement.facing == "against":  # type: ignore[union-attr]
+        return []
+    if any(p.action != "keep_lane" for p in o.phases):  # type: ignore[union-attr]
+        return []
+    return [f"    do Drive(line, lambda: pace(self, {scope.reference(actor.structure, cid)}, {actor.speed}))"]
 
 
 def _hardest(structure: Structure) -> float:
@@ -271,7 +288,7 @@ def _gets_past(actor: Actor, cid: str) -> bool:
     """Whether it means to get past what stands ahead of it."""
     if cid != "ego" and passed_over(actor.structure, cid, actor.cid):
         return True
-    if any(p.action == "overtake" and (p.target or "ego") == cid for p in actor.spec.phases):
+    if any(p.action in ("overtake", "swerve") and (p.target or "ego") == cid for p in actor.spec.phases):
         return True
     near = (p.trigger for p in actor.spec.phases if p.trigger and p.action in ("lane_change", "swerve"))
     if any(t.kind in ("distance", "ttc") and t.value is not None and (t.of or "ego") == cid for t in near):
@@ -339,6 +356,11 @@ def _waits_for(spec: EgoSpec, cid: str) -> bool:
     return False
 
 
+def _about(phase: Phase) -> str | None:
+    """Whom one answers in a phase: whom it names, or for what it waits to be done."""
+    return phase.target or (phase.trigger.of if phase.trigger and phase.trigger.kind == "action" else None)
+
+
 def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan: Plan) -> tuple[Phase, ...]:
     """Ego's phases with those that its place and its reaction add: merging, leaving, yielding, evading."""
     phases = spec.phases
@@ -352,6 +374,9 @@ def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan
     if "yield" not in actions and (rider := _cut_off(spec, structure, plan)):
         spec = spec.model_copy(update={"phases": (Phase(action="yield", target=rider), *spec.phases)})
     whom, yields = spec.react_to or next(iter(others), ""), spec.reaction == "yield" and "yield" not in actions
+    slows = ("brake", "stop", "wait")
+    told = any(p.abandoned or p.action in slows and _about(p) == whom for p in spec.phases)  # it says how
+    yields = yields and not told
     if yields and whom not in ("", *hit) and not gives_way_by(spec) and not _waits_for(spec, whom):
         yielding = Phase(action="yield", target=whom)
         if plan.junction and (stands := _stands_first(spec)):

@@ -15,7 +15,7 @@ from c2s_engine.write.typed.collisions import (
     struck_beside,
 )
 from c2s_engine.write.typed.course import Course
-from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_there, swerves_by
+from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_there, swerves_by, swerves_too_late
 from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.people import BACKS_OUT, PULLS_OUT
 from c2s_engine.write.typed.tables import LANE_WIDTH, MOVES_OFF_ROAD, RAMP
@@ -25,8 +25,8 @@ from c2s_engine.write.typed.usual import SETS_OUT, crosses, reach
 
 AT_LINE = Trigger(kind="place", place="intersection", value=0)
 """When somebody stops at the stop line of its approach."""
-BROKEN_OFF = 1.2
-"""m to the side after which a lane change is broken off: some of the body is over the line then."""
+BROKEN_OFF = 1.7
+"""m to the side after which a lane change is broken off: about half of the body is over the line then."""
 BEYOND_EDGE = 4
 """m beyond the road's edge to where who leaves it heads."""
 HITS_SOON = "for 1 seconds"
@@ -212,7 +212,7 @@ def _lane_change(c: Course, p: Phase) -> list[Step]:
     side, goal = _side(p, 1), c.wanted(p, _moving(c))
     if p.abandoned:
         return _back_again(c, p, side)
-    shift = middle(p.lateral_speed) if p.lateral_speed is not None else None
+    shift = lateral.said(p)
     over = HITS_SOON if hit_next(c, p) else _until_over(p)
     narrow = c.lane is not None and len(c.actor.plan.offsets) == 1 and not c.on_ramp
     if narrow or c.oncoming:  # by the lane of the other direction, or the verge
@@ -231,8 +231,8 @@ def _cut_in(c: Course, p: Phase) -> list[Step]:
     if p.abandoned:
         return _back_again(c, p, 1 if to > (c.lane if c.lane is not None else -1) else -1)
     c.lane = to
-    shift = middle(p.lateral_speed) if p.lateral_speed is not None else None
-    drive = c.drive(c.set(c.wanted(p, c.actor.value or _moving(c))), shift=shift)
+    shift = lateral.said(p)
+    drive = c.drive(c.set(c.wanted(p, _moving(c))), shift=shift)
     over = HITS_SOON if hit_next(c, p) else _until_over(p)
     return [([c.along_lane(), drive], ending(p, over))]
 
@@ -244,8 +244,7 @@ def _until_over(p: Phase) -> str:
 
 def _back_again(c: Course, p: Phase, side: int) -> list[Step]:
     """A lane change that is broken off: over the line by some of its width, and back."""
-    goal, shift = c.set(c.wanted(p, _moving(c))), lateral.shift_of(p)
-    said = shift if p.lateral_speed is not None else None
+    goal, shift, said = c.set(c.wanted(p, _moving(c))), lateral.shift_of(p), lateral.said(p)
     out = c.drive(goal, offset=scope.number(side * BROKEN_OFF), shift=said)
     back = f"for {scope.number(round(lateral.sideways(BROKEN_OFF, shift) + 1, 1))} seconds"
     return [([out], ending(p, f"for {scope.number(round(lateral.sideways(BROKEN_OFF, shift) + 0.4, 1))} seconds")),
@@ -266,7 +265,7 @@ def _enter_road(c: Course, p: Phase) -> list[Step]:
 def _sideways(c: Course, p: Phase, metres: float, shift: float, seconds: float | None) -> list[Step]:
     side = _side(p, -1 if metres < 0 else 1)
     if p.lateral_speed is not None:
-        shift = middle(p.lateral_speed)
+        shift = lateral.shift_of(p)
         seconds = seconds and max(seconds, round(lateral.sideways(abs(metres), shift) + 0.5, 1))
     out = c.drive(c.set(c.wanted(p, c.value)), offset=scope.number(side * abs(metres)), shift=shift)
     if hit := hit_next(c, p):
@@ -277,9 +276,9 @@ def _sideways(c: Course, p: Phase, metres: float, shift: float, seconds: float |
 
 
 def _swerve(c: Course, p: Phase) -> list[Step]:
-    if into := struck_beside(c, p):
+    if into := struck_beside(c, p) or swerves_too_late(c, p):
         return into
-    if c.actor.is_ego and p.target is not None and not hit_next(c, p):
+    if p.target is not None and not hit_next(c, p) and (c.actor.is_ego or c.comes_up_to(p.target)):
         return goes_round(c, p)
     found = _sideways(c, p, swerves_by(c), 2.5, 2.5)
     if getattr(c.actor.spec, "reaction", "") == "brake" and p.speed is None and p.trigger is None:  # both at once

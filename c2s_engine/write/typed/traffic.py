@@ -13,6 +13,8 @@ from c2s_engine.write.typed.ahead import (
     TIGHT,
     begins,
     clear_ahead,
+    gone_round,
+    joined,
     let_by,
     level_then,
     phases_of,
@@ -24,6 +26,8 @@ from c2s_engine.write.typed.lateral import LATERAL, to_line
 from c2s_engine.write.typed.tables import LENGTH, is_static, is_vehicle
 from c2s_engine.write.typed.usual import speed_of
 
+ALIKE = 0.4
+"""m by which two gaps are the same."""
 LATEST = 12.0
 """s after the start by which two have come as near as is said."""
 SLOWER, FASTER = 0.8, 1.15
@@ -38,12 +42,12 @@ PLAIN = {*CALM, *LATERAL, "brake", "stop", "swerve", "drift"}
 def solved(structure: Structure) -> Structure:
     """S with the speeds, gaps and starts that are open and follow from those that are said; raises ResolveError where
     they do not go together."""
-    structure = let_by(level_then(clear_ahead(_at_pace(structure))))
+    structure = joined(gone_round(let_by(level_then(clear_ahead(_at_pace(structure))))))
     for cid in ("E", *(c.id for c in structure.objects)):
         for i, phase in enumerate(phases_of(structure, cid)):
             if any(p.action not in CALM for p in phases_of(structure, cid)[:i]):
                 break
-            if phase.action in (*LATERAL, "brake", "stop", "follow"):
+            if phase.action in (*LATERAL, "swerve", "brake", "stop", "follow"):
                 structure = _met(structure, cid, i, phase)
                 break
     return structure
@@ -57,7 +61,7 @@ def _at_pace(structure: Structure) -> Structure:
     fast as the one beside it or that it follows."""
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
-    if ego.speed is None and (pace := _pace_for_ego(structure, ego)) is not None:
+    if (ego.speed is None or ego.pace is not None) and (pace := _pace_for_ego(structure, ego)) is not None:
         structure = structure.with_spec("E", speed=pace)
     for component in structure.objects:
         spec = component.spec
@@ -66,6 +70,8 @@ def _at_pace(structure: Structure) -> Structure:
         speed = getattr(by, "speed", None)
         if not _open_pace(spec) or speed is None or middle(speed) <= 0:
             continue
+        if spec.placement.position == "oncoming_lane" and getattr(by, "pace", None) is not None:
+            continue  # a word says how one drives, not how all do
         if spec.placement.position == "ahead" and spec.type not in ("car", "van", "motorcycle", "police_car"):
             continue  # slower ones are caught up with
         structure = structure.with_spec(component.id, speed=_pace(spec, middle(speed)))
@@ -76,12 +82,18 @@ def _pace_for_ego(structure: Structure, ego: EgoSpec) -> float | None:
     if any(p.action == "accelerate" for p in ego.phases[:1]):  # it comes to its speed
         return None
     followed = {p.target for p in ego.phases if p.action == "follow"}
+    if ego.pace is not None:  # drawn as that one's speed is, it would now and then fall behind whom it follows
+        drawn = [c.spec.speed for c in structure.objects if c.id in followed and isinstance(c.spec, ObjectSpec)]
+        return high(drawn[0]) if drawn and drawn[0] is not None and ego.phases[0].action == "follow" else None
     for component in structure.objects:
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
         level = spec.placement.position == "beside" or spec.placement.along == "abreast"
         if component.id not in followed and not (level and spec.placement.of == "ego"):
             continue
+        own, usual = (middle(speed_of(s, structure.place.spec)) for s in (ego, spec))  # type: ignore[arg-type]
+        if level and {p.action for p in spec.phases} <= CALM and _open_pace(spec) and usual < own:  # it stays there
+            return usual
         if is_vehicle(spec.type) and spec.speed is not None and middle(spec.speed) > 0 and spec.type != "bicycle":
             return middle(spec.speed)
     return None
@@ -155,7 +167,7 @@ def _drives(spec: ObjectSpec) -> bool:
 
 def _met(structure: Structure, cid: str, i: int, phase: Phase) -> Structure:
     """S with what makes the gap of a phase hold at its moment."""
-    if phase.action == "cut_out":
+    if phase.action in ("cut_out", "lane_change", "swerve"):
         structure = revealing(structure, cid, i, phase)
     pair = _pair(structure, cid, phase)
     if pair is None and phase.action == "cut_in" and _from_ramp(structure, cid):
@@ -165,6 +177,8 @@ def _met(structure: Structure, cid: str, i: int, phase: Phase) -> Structure:
     if pair is None or not wanted or _sideways_into(structure, cid, i):
         return structure
     at = structure[pair.placed].spec.placement  # type: ignore[union-attr]
+    if phase.action == "follow" and (phase.trigger is not None or at.position not in ("ahead", "behind")):
+        return structure  # it comes to that gap
     front = _in_front(structure, pair, phase)
     time = _time(structure, cid, phase)
     if phase.gap is None and phase.trigger is not None and phase.trigger.kind not in ("time", "action"):
@@ -273,7 +287,11 @@ def _kept(structure: Structure, pair: _Pair, i: int, phase: Phase, then: float, 
     start = pair.sign * sign * (middle(spec.placement.gap) + pair.bodies)
     room = max(2.0, 0.15 * abs(then), (high(spec.placement.gap) - low(spec.placement.gap)) / 2)
     if phase.gap is not None and phase.action != "follow":
-        if abs(then - start) <= room or abs(pair.gains) > 0.3 and 0.5 <= (then - start) / pair.gains <= LATEST:
+        off = then - start
+        if abs(pair.gains) <= 0.3 and ALIKE < abs(off) <= room and time > off:  # within what "as fast" means
+            own = middle(speed_of(structure[pair.actor].spec, structure.place.spec))  # type: ignore[arg-type]
+            return structure.with_spec(pair.actor, speed=round(own + off / time, 2))
+        if abs(off) <= room or abs(pair.gains) > 0.3 and 0.5 <= (then - start) / pair.gains <= LATEST:
             return structure
         if structure[pair.actor].spec.speed is None:  # type: ignore[union-attr]
             other = middle(speed_of(structure[pair.other].spec, structure.place.spec))  # type: ignore[arg-type]

@@ -6,8 +6,10 @@ from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import ahead, lateral, scope, traffic
 from c2s_engine.write.typed.collisions import hit_beside, hit_next, too_late
 from c2s_engine.write.typed.course import Actor, Course
+from c2s_engine.write.typed.evasion import last_moment
 from c2s_engine.write.typed.facing import AHEAD
 from c2s_engine.write.typed.overtakings import pulls_out
+from c2s_engine.write.typed.passing import FOLLOWS
 from c2s_engine.write.typed.people import comes_out
 from c2s_engine.write.typed.reach import EVADED_AT
 from c2s_engine.write.typed.tables import LENGTH, WORKS, is_static
@@ -24,6 +26,8 @@ from c2s_engine.write.typed.towards import before_standing, held_for, in_next_la
 from c2s_engine.write.typed.usual import crosses, slows_before, speed_of
 from c2s_engine.write.typed.watching import METRES, watched, watches
 
+NO_FASTER = 0.5
+"""m/s by which one is no faster whom nothing but its own decision brings out from behind another."""
 CAN_STOP = 10
 """Twice the m/s2 at which one stops for a light that changes."""
 BEFORE_IT = 2.0
@@ -90,6 +94,10 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return "until self._lane is place.acceleration_lane"
     if phase.action in lateral.LATERAL and phase.gap is not None and phase.target and not _sideways_into(course, phase):
         return _at_gap(course, phase, first)
+    if first and a.is_ego and phase.action == "enter_road":  # it is seen at the kerb
+        return _undisturbed(a)
+    if phase.action == "swerve" and (seconds := last_moment(course, phase)[1]):
+        return f"until ttc(self, {a.ref(phase.target)}) < {scope.number(seconds)}"
     if a.is_ego and phase.action in FORCED and not _stood(a, phase) and _confronted(course, phase):
         cid = phase.target or getattr(a.spec, "react_to", None) or standing(a.structure, a.plan.lane_of)
         if beside_way(a.structure, cid):
@@ -119,12 +127,15 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         course.oncoming_both(phase) or course.lane is not None and course.same_lane(phase)
     ):
         if course.target_speed(phase) > 0:  # it may follow
+            calm, follows = {p.action for p in before} <= traffic.CALM, any(p.action == "follow" for p in before[-1:])
+            if calm and (follows or course.value < course.target_speed(phase) + NO_FASTER):
+                return f"for {FOLLOWS} seconds" if follows else _undisturbed(a)
             return pulls_out(course, phase)
         return _before(course, phase.target)
     stands = standing(a.structure, a.plan.lane_of) if a.is_ego and phase.action == "oncoming" else None
     if stands:
         return _before(course, stands)
-    if obstacle := _obstacle(course) if phase.action in ("swerve", "cut_out", "lane_change") else "":
+    if obstacle := _obstacle(course, phase) if phase.action in ("swerve", "cut_out", "lane_change") else "":
         return f"until (distance from self to {obstacle}) < 12 + 2 * self.speed"
     if phase.action == "u_turn" and first and not a.is_ego and (course.oncoming or a.value <= 0):  # in front of ego
         return f"until (distance from self to ego) < {scope.number(12 + 2.2 * (a.value + a.plan.ego_speed))}"
@@ -188,9 +199,11 @@ def _comes_over(actor: Actor) -> bool:
     return spec.placement.of == "ego" and bool(over)
 
 
-def _obstacle(course: Course) -> str:
-    """What stands in its lane ahead of it, if anything does: another's evasion waits for that."""
+def _obstacle(course: Course, phase: Phase) -> str:
+    """Whom another swerves round, or what stands in its lane ahead of it: its evasion waits for that."""
     a = course.actor
+    if not a.is_ego and phase.action == "swerve" and phase.target and course.comes_up_to(phase.target):
+        return a.ref(phase.target)
     if a.is_ego or course.lane is None:
         return ""
     for c in a.structure.objects:

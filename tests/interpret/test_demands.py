@@ -3,8 +3,6 @@
 import pytest
 
 from c2s_engine.interpret.changes.demands import demands, whole
-from c2s_engine.interpret.turn import route
-from c2s_engine.structure.edits import apply
 
 JUNCTION = (
     "Ego approaches a signalised intersection at 40 km/h. A truck crosses from the left and a motorcycle follows ego."
@@ -45,37 +43,3 @@ def test_demands(text, found):
 )
 def test_what_a_demand_leaves_out(demand, before, topic, found):
     assert whole(demand, before, topic) == found
-
-
-@pytest.mark.parametrize(
-    ("text", "fields"),
-    [
-        ("truck -> bus", {"O1": ("type", "bus")}),
-        ("light red for ego", {"G": ("light", "red")}),
-        ("The motorcycle is too far away to matter, so please put it 5 m behind ego.", {"O2": ("placement.gap", 5)}),
-        ("both ego and the motorcycle at 54 km/h", {"E": ("speed", 15), "O2": ("speed", 15)}),
-        ("map Town03, 20 s", {"G": ("map", "Town03"), "T": ("duration", 20)}),
-        ("ego is a bus, and the motorcycle is a car", {"E": ("type", "bus"), "O2": ("type", "car")}),
-    ],
-)
-def test_every_demand_of_a_turn_is_done(read, text, fields):
-    before = structure = read(JUNCTION)
-    turn = route(text, structure)
-    assert turn.kind == "edit"
-    for edit in turn.edits:
-        structure = apply(structure, edit)
-    for cid, (path, value) in fields.items():
-        found = structure[cid].spec
-        for name in path.split("."):
-            found = getattr(found, name)
-        assert found == value, cid
-    assert all(structure[c].spec == before[c].spec for c in before.ids if c not in fields)
-
-
-def test_one_waits_for_what_another_does(read):
-    structure = read("Ego drives at 30 km/h. A bus comes the other way. A child runs across from the right.")
-    for edit in route("as soon as the child starts to cross, the bus stops", structure).edits:
-        structure = apply(structure, edit)
-    bus = next(c for c in structure.objects if c.spec.type == "bus")
-    child = next(c for c in structure.objects if c.spec.type == "child")
-    assert [(p.action, p.trigger.kind, p.trigger.of) for p in bus.spec.phases] == [("stop", "action", child.id)]

@@ -158,12 +158,6 @@ def test_a_number_that_s_does_not_take_is_said() -> None:
         turn.route("ego drives -20 km/h", lead)
 
 
-def test_of_more_road_users_than_s_can_name_the_first_are_taken(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(embedded, "MOST_OBJECTS", 2)
-    found = EmbeddedInterpreter().interpret("A van is ahead of ego, a truck behind it and a bus in the left lane.")
-    assert [c.id for c in found.structure.objects] == ["O1", "O2"]
-
-
 def test_what_is_beyond_the_longest_text_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(embedded, "READ_AT_MOST", 60)
     found = EmbeddedInterpreter().interpret("Ego drives at 50 km/h. It rains at dusk. " * 3)

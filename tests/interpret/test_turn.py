@@ -49,14 +49,6 @@ def test_a_change_touches_only_what_was_meant(
     assert found == value
 
 
-def test_removing_one_who_is_referred_to_frees_the_others(read) -> None:
-    s = read("Ego follows a van. A child runs out from behind a truck parked on the right.")
-    turn = route("remove the truck", s)
-    now = after(turn, s)
-    assert len(now.objects) == len(s.objects) - 1
-    assert all(c.spec.placement.hidden_by is None for c in now.objects)
-
-
 def test_adding(scene: Structure) -> None:
     now = after(route("add a parked van on the right, 20 m ahead", scene), scene)
     assert (

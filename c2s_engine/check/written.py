@@ -80,10 +80,12 @@ class Written:
         """Whether the interruption brakes hard, where `need(self, other) > 2.5`: by one of the library's behaviours."""
         from scenic.syntax import ast as s
 
-        if len(node.interrupt_when_handlers) != 1 or len(node.interrupt_when_handlers[0].body) != 1:
+        if len(node.interrupt_when_handlers) != 1:
             raise NotWritten
         handler = node.interrupt_when_handlers[0]
-        done, limit = handler.body[0], self._need(handler.cond)
+        (done, *then), limit = handler.body, self._need(handler.cond)
+        if then and (len(then) > 1 or not _stays_behind(then[0])):
+            raise NotWritten
         if not isinstance(done, s.Do) or len(done.elts) != 1 or limit is None:
             raise NotWritten
         call = done.elts[0]
@@ -206,3 +208,9 @@ def _attribute(node: Any) -> str:
     if not isinstance(node, ast.Attribute) or not isinstance(node.value, ast.Name):
         return ""
     return f"{node.value.id}.{node.attr}"
+
+
+def _stays_behind(node: Any) -> bool:
+    """Whether a statement goes on behind one ahead: `do Drive(line, lambda: pace(self, car, 9))`."""
+    calls = [n for e in getattr(node, "elts", ()) for n in ast.walk(e) if isinstance(n, ast.Call)]
+    return [_called(c) for c in calls] == ["Drive", "pace"]

@@ -77,7 +77,7 @@ async def test_what_is_missing_is_named_where_no_single_field_is(engine):
     refused = await resolve(runs_stop, library, check, given="Town10HD")
     message = refused.diagnostic.message
     assert "It has no junctions(STRAIGHT, control='stop'," in message
-    assert "others=[From('left')]), whatever else of R is left open; Town07 and town have it." in message
+    assert "others=[From('left', priority=True)]), whatever else of R is left open; Town07 and town have it." in message
 
 
 async def test_on_a_town_of_narrow_roads_lanes_beside_ego_are_given_up_last(engine):

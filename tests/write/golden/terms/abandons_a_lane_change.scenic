@@ -30,7 +30,7 @@ behavior Actor1Behavior():
     line = way(place.left_lane)
     take SetSpeedAction(ACTOR1_SPEED)
     do Drive(line, ACTOR1_SPEED) for 3 seconds
-    do Drive(line, ACTOR1_SPEED, offset=-1.2) for 1.3 seconds
+    do Drive(line, ACTOR1_SPEED, offset=-1.7) for 1.5 seconds
     do Drive(line, ACTOR1_SPEED)
 
 actor1 = new Car at place.left_lane.centerline.pointAlongBy(ACTOR1_AT),

@@ -10,7 +10,7 @@ from c2s_driving import *
 place = Uniform(*stretches(straight=True, length=325, least=137))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 43 km/h; it brakes hard when the one and the two touch.
+## E: Ego, a car, drives at 43.2 km/h; it brakes hard when the one and the two touch.
 EGO_SPEED = 12  # m/s
 
 behavior EgoBehavior():
@@ -24,7 +24,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with behavior EgoBehavior()
 require monitor Lights()
 
-## O1: A car ahead of ego in the same lane, 40 m away, at 43 km/h; it hits the two.
+## O1: A car ahead of ego in the same lane, 40 m away, at 43.2 km/h; it hits the two.
 ONE_SPEED = 12  # m/s
 ONE_AT = EGO_AT + 40 + 5  # m along the lane
 

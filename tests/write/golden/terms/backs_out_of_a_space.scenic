@@ -11,7 +11,7 @@ place = Uniform(*stretches(straight=True, length=225, least=100, ego_lane='right
     shoulder='preferred'))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 29 km/h; it brakes for what comes into its way.
+## E: Ego, a car, drives at 28.8 km/h; it brakes for what comes into its way.
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():

@@ -11,7 +11,7 @@ place = Uniform(*junctions(LEFT_TURN, approach=60))
 EGO_TO_JUNCTION = 35  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 
-## E: Ego, a car, drives at 29 km/h; it turns left, then brakes when it is past the intersection.
+## E: Ego, a car, drives at 28.8 km/h; it turns left, then brakes when it is past the intersection.
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():

@@ -10,7 +10,7 @@ from c2s_driving import *
 place = Uniform(*stretches(straight=True, length=325, least=132))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 43 km/h; it brakes when the one is 2.5 s from the two.
+## E: Ego, a car, drives at 43.2 km/h; it brakes when the one is 2.5 s from the two.
 EGO_SPEED = 12  # m/s
 
 behavior EgoBehavior():
@@ -24,7 +24,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with behavior EgoBehavior()
 require monitor Lights()
 
-## O1: A car ahead of ego in the same lane, 30 m away, at 43 km/h.
+## O1: A car ahead of ego in the same lane, 30 m away, at 43.2 km/h.
 ONE_SPEED = 12  # m/s
 ONE_AT = EGO_AT + 30 + 5  # m along the lane
 
@@ -40,7 +40,7 @@ one = new Car at place.lane.centerline.pointAlongBy(ONE_AT),
     with blueprint Uniform(*CARS),
     with behavior OneBehavior()
 
-## O2: A car ahead of the one in the same lane, 45 m away, at 11 km/h.
+## O2: A car ahead of the one in the same lane, 45 m away, at 10.8 km/h.
 TWO_SPEED = 3  # m/s
 TWO_AT = ONE_AT + 45 + 5  # m along the lane
 two = new Car at place.lane.centerline.pointAlongBy(TWO_AT),

@@ -11,7 +11,7 @@ place = Uniform(*junctions(STRAIGHT, control='signal', approach=61))
 EGO_TO_JUNCTION = 36  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 
-## E: Ego, a car, drives at 32 km/h.
+## E: Ego, a car, drives at 32.4 km/h.
 EGO_SPEED = 9  # m/s
 
 behavior EgoBehavior():

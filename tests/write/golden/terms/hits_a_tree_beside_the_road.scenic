@@ -10,7 +10,7 @@ from c2s_driving import *
 place = Uniform(*stretches(straight=True, length=375, least=108, ego_lane='rightmost', speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 50 km/h; it leaves the road to the right, then hits the actor1.
+## E: Ego, a car, drives at 50.4 km/h; it leaves the road to the right, then hits the actor1.
 EGO_SPEED = 14  # m/s
 
 behavior EgoBehavior():

@@ -10,7 +10,7 @@ from c2s_driving import *
 place = Uniform(*stretches(straight=True, length=325, least=141))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 43 km/h.
+## E: Ego, a car, drives at 43.2 km/h.
 EGO_SPEED = 12  # m/s
 
 behavior EgoBehavior():
@@ -23,7 +23,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with behavior EgoBehavior()
 require monitor Lights()
 
-## O1: A car ahead of ego in the same lane, 25 m away, at 43 km/h; it loses control for a moment at a distance of 1 m.
+## O1: A car ahead of ego in the same lane, 25 m away, at 43.2 km/h; it loses control for a moment at a distance of 1 m.
 THE_CAR_SPEED = 12  # m/s
 THE_CAR_AT = EGO_AT + 25 + 5  # m along the lane
 

@@ -23,7 +23,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with behavior EgoBehavior()
 require monitor Lights()
 
-## O1: A truck in the oncoming lane, 60 m away, at 43 km/h.
+## O1: A truck in the oncoming lane, 60 m away, at 43.2 km/h.
 ACTOR1_SPEED = 12  # m/s
 ACTOR1_AT = EGO_AT + 60 + 6.55  # m along the lane
 actor1 = new Truck at place.oncoming_lane.centerline.pointAlongBy(-(ACTOR1_AT)),

@@ -10,7 +10,7 @@ from c2s_driving import *
 place = Uniform(*stretches(straight=True, length=325, least=102))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 43 km/h; it brakes when the lead goes at 5.6 m/s.
+## E: Ego, a car, drives at 43.2 km/h; it brakes when the lead goes at 5.6 m/s.
 EGO_SPEED = 12  # m/s
 
 behavior EgoBehavior():
@@ -24,7 +24,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with behavior EgoBehavior()
 require monitor Lights()
 
-## O1: A car ahead of ego in the same lane, 50 m away, at 43 km/h; it brakes.
+## O1: A car ahead of ego in the same lane, 50 m away, at 43.2 km/h; it brakes.
 LEAD_SPEED = 12  # m/s
 LEAD_AT = EGO_AT + 50 + 5  # m along the lane
 

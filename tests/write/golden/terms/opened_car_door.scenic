@@ -11,7 +11,7 @@ place = Uniform(*stretches(straight=True, length=375, least=112, ego_lane='right
     shoulder='preferred', speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 29 km/h; it keeps the lane with 0.8 m to the door.
+## E: Ego, a car, drives at 28.8 km/h; it keeps the lane with 0.8 m to the door.
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():

@@ -10,7 +10,7 @@ from c2s_driving import *
 place = Uniform(*stretches(straight=True, length=375, least=157, speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 29 km/h.
+## E: Ego, a car, drives at 28.8 km/h.
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():
@@ -23,7 +23,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with behavior EgoBehavior()
 require monitor Lights()
 
-## O1: A car ahead of ego in the same lane, 60 m away, at 50 km/h; it hits the two.
+## O1: A car ahead of ego in the same lane, 60 m away, at 50.4 km/h; it hits the two.
 ONE_SPEED = 14  # m/s
 ONE_AT = EGO_AT + 60 + 5  # m along the lane
 
@@ -37,7 +37,7 @@ one = new Car at place.lane.centerline.pointAlongBy(ONE_AT),
     with blueprint Uniform(*CARS),
     with behavior OneBehavior()
 
-## O2: A car ahead of the one in the same lane, 40 m away, at 14 km/h; it brakes.
+## O2: A car ahead of the one in the same lane, 40 m away, at 14.4 km/h; it brakes.
 TWO_SPEED = 4  # m/s
 TWO_AT = ONE_AT + 40 + 5  # m along the lane
 

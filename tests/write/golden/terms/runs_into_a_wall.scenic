@@ -10,7 +10,7 @@ from c2s_driving import *
 place = Uniform(*stretches(straight=True, length=325, least=120, ego_lane='rightmost'))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 43 km/h; it leaves the road to the right, then hits the actor1.
+## E: Ego, a car, drives at 43.2 km/h; it leaves the road to the right, then hits the actor1.
 EGO_SPEED = 12  # m/s
 
 behavior EgoBehavior():

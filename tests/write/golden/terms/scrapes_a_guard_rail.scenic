@@ -10,7 +10,7 @@ from c2s_driving import *
 place = Uniform(*motorways(length=525, least=140, ego_lane='rightmost', speed=22.5))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 79 km/h; it leaves the road to the right, then hits the actor1.
+## E: Ego, a car, drives at 79.2 km/h; it leaves the road to the right, then hits the actor1.
 EGO_SPEED = 22  # m/s
 
 behavior EgoBehavior():

@@ -10,7 +10,7 @@ from c2s_driving import *
 place = Uniform(*stretches(straight=True, length=175, least=62))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 22 km/h; it follows who is ahead.
+## E: Ego, a car, drives at 21.6 km/h; it follows who is ahead.
 EGO_SPEED = 6  # m/s
 
 behavior EgoBehavior():
@@ -23,7 +23,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with behavior EgoBehavior()
 require monitor Lights()
 
-## O1: A car ahead of ego in the same lane, 10 m away, at 22 km/h; it stops, then waits, then moves off, then stops.
+## O1: A car ahead of ego in the same lane, 10 m away, at 21.6 km/h; it stops, then waits, then moves off, then stops.
 ACTOR1_SPEED = 6  # m/s
 ACTOR1_AT = EGO_AT + 10 + 5  # m along the lane
 

@@ -10,7 +10,7 @@ from c2s_driving import *
 place = Uniform(*stretches(straight=True, length=225, least=108))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 29 km/h; it swerves with 0.6 m to the actor1.
+## E: Ego, a car, drives at 28.8 km/h; it swerves with 0.6 m to the actor1.
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():

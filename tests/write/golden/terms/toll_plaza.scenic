@@ -10,7 +10,7 @@ from c2s_driving import *
 place = Uniform(*motorways(length=325, least=161, lanes=2, ego_lane='rightmost'))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 43 km/h; it brakes at walking pace at a distance of 25 m.
+## E: Ego, a car, drives at 43.2 km/h; it brakes at walking pace at a distance of 25 m.
 EGO_SPEED = 12  # m/s
 
 behavior EgoBehavior():

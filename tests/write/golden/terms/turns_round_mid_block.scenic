@@ -10,7 +10,7 @@ from c2s_driving import *
 place = Uniform(*stretches(straight=True, length=225, least=112, oncoming=True, lanes=1))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 29 km/h; it brakes for what comes into its way.
+## E: Ego, a car, drives at 28.8 km/h; it brakes for what comes into its way.
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():
@@ -26,7 +26,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with behavior EgoBehavior()
 require monitor Lights()
 
-## O1: A car in the oncoming lane, 60 m away, at 22 km/h; it turns round.
+## O1: A car in the oncoming lane, 60 m away, at 21.6 km/h; it turns round.
 ACTOR1_SPEED = 6  # m/s
 ACTOR1_AT = EGO_AT + 60 + 5  # m along the lane
 

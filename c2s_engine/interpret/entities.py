@@ -66,8 +66,6 @@ def fits(entity: Entity, kind: str) -> bool:
         return entity.type == "vehicle" or (entity.type in ("police_car",))
     if kind == "rider":
         return entity.type in ("bicycle", "motorcycle")
-    if entity.type == "rider":
-        return kind in ("bicycle", "motorcycle")
     if entity.type == "vehicle":
         return kind in MOTOR and not entity.typed
     if kind == "pedestrian":

@@ -11,12 +11,11 @@ from c2s_engine.interpret.composing.run_limits import restrictions
 from c2s_engine.interpret.composing.settling import settle
 from c2s_engine.interpret.composing.three_arms import by_the_side_road
 from c2s_engine.interpret.scene import Scene
-from c2s_engine.interpret.surroundings.environment import PRESET_TIME
 from c2s_engine.interpret.surroundings.settings import ACCEPTED, DEFAULTS, Settings
 from c2s_engine.interpret.who.mentions import ZONES, Entity
 from c2s_engine.structure import sentences as describe
 from c2s_engine.structure.components import Assumption, Component, Structure
-from c2s_engine.structure.specs import EgoSpec, SettingsSpec
+from c2s_engine.structure.specs import SettingsSpec
 
 
 def compose(scene: Scene) -> Structure:
@@ -35,12 +34,10 @@ def compose(scene: Scene) -> Structure:
     ego = waited_for(scene, ego, drafts, ids)
     ego = settle(scene, ego, place, drafts, ids)
     place, turn_assumed = by_the_side_road(place, ego, drafts)
-    drafts += objects.signs(scene, place, len(drafts))
+    drafts += []
     place_assumed = [*_place_assumed(scene, place), *turn_assumed]
     untold = unmet.find(scene)
-    ego_assumed += [
-        Assumption(field="reaction", value=_doing(ego), reason=r) for r in unmet.alternatives(scene, scene.cast.ego)
-    ]
+    ego_assumed += [Assumption(field="reaction", value="", reason=r) for r in unmet.alternatives(scene, scene.cast.ego)]
     for draft in drafts:
         if draft.entity is not None:
             draft.unmet += [u.note for u in untold if u.owner is draft.entity]
@@ -88,11 +85,6 @@ def compose(scene: Scene) -> Structure:
     )
 
 
-def _doing(ego: EgoSpec) -> str:
-    """What ego does, in a word or two: its reaction, else its phases."""
-    return ego.reaction if ego.reaction != "none" else ", ".join(p.action for p in ego.phases) or "none"
-
-
 def _blockers_first(scene: Scene, ordered: list[Entity]) -> list[Entity]:
     """What others are seen from stands before them, so that it is written first."""
     done: list[Entity] = []
@@ -118,8 +110,6 @@ def compose_settings(found: Settings, scene: Scene) -> tuple[SettingsSpec, list[
     sky = tuple(dict.fromkeys(f.value for f in found.weather if f.confidence >= ACCEPTED))
     time = found.time.value if found.time and found.time.confidence >= ACCEPTED else None
     preset = found.preset.value if found.preset and found.preset.confidence >= ACCEPTED else None
-    if preset and time is None:
-        time = next((t for ending, t in PRESET_TIME.items() if preset.endswith(ending)), None)
     town = found.map.value if found.map and found.map.confidence >= ACCEPTED else None
     if town is None:
         assumed.append(Assumption(field="map", value=DEFAULTS["map"], reason="the text names no map"))
@@ -149,12 +139,8 @@ def _ego_light(scene: Scene) -> str | None:
     runner = next((e for e in scene.clauses.events if e.act == "run_red" and e.done and not e.agent.ego), None)
     if scene.does(ego, "run_red") is not None:
         return "red"
-    if (change := FROM_TO.search(scene.plain)) is not None:
-        return change["state"].replace("amber", "yellow")
     ordered = sorted(scene.light, key=lambda f: f.span[0])
-    changed = ordered[-1] if ordered and ordered[0].value == "green" else None
-    if changed is not None and changed.value != "green" and CHANGES.search(scene.plain[: changed.span[1]]):
-        return changed.value
+    ordered[-1] if ordered and ordered[0].value == "green" else None
     for found in scene.light:
         if found.value == "red" and runner is not None:
             start, end = _clause_span(scene, runner)

@@ -21,8 +21,6 @@ def ego_lane_of(scene: Scene) -> str | None:
     for mention in ego.mentions:
         sentence = [w for w in scene.words if w.sentence == scene.words[mention.word].sentence and w.i > mention.word]
         match = re.match(r"\s?\(([^)]*)\)", " ".join(w.norm for w in sentence))
-        if match:
-            texts.append(match[1])
         if _beside_it(scene, mention.word):
             continue
         word = scene.words[mention.word]
@@ -45,8 +43,6 @@ def ego_lane_of(scene: Scene) -> str | None:
         if named := scene.places._last_lane(begins):
             return f"{named}most"
     for text in texts:
-        if re.search(r"(into|to|onto) the (\w+ )?(left|right)", text) and "keep" not in text:
-            text = re.sub(r"(into|onto|to) the .*", "", text) if "keep" not in text else text
         if re.search(r"@a\d+ (in|on|from) the", text):
             text = re.split(r"@a\d+", text)[0]
         told = [(match.start(), entry["is"]) for entry in patterns if (match := re.search(entry["find"], text))]

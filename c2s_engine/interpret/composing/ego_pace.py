@@ -1,7 +1,6 @@
 """How fast ego is at first: as said, else as what happens with the others needs it."""
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.composing.steps import target_speed
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.components import Assumption
@@ -59,20 +58,10 @@ def ego_pace(
             round(min(value * 1.4, place.speed_limit), 2),
             language.table("defaults")["limits"]["maximum_from_limit"]["reason"],
         )
-    if (slowed := slows_to(scene, [scene.cast.ego, *scene.actors])) is not None and slowed >= value:
-        value, reason = round(slowed * FASTER, 2), "faster than the speed that is braked to"
     if any(p.action == "reverse" for p in phases[:1]):
         value, reason = 3.0, "a usual speed backwards"
     assumed.append(Assumption(field="speed", value=f"{value * 3.6:.0f} km/h", reason=reason))
     return value
-
-
-def slows_to(scene: Scene, entities: list[Entity]) -> float | None:
-    """The highest speed that one of them slows down to, m/s."""
-    braking = [e for one in entities for e in scene.events(one) if e.act == "brake"]
-    before = [e for e in braking if not {"had", "has", "have"} & {scene.words[i].norm for i in e.words if i < e.word}]
-    found = [goal for e in before if (goal := target_speed(e)) is not None]
-    return max(found, default=None)
 
 
 def _speed_among_others(scene: Scene, ids: dict[Entity, str], phases: list[Phase]) -> tuple[float, str] | None:

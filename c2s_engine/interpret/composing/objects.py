@@ -30,14 +30,6 @@ def compose_object(scene: Scene, entity: Entity, ids: dict[Entity, str], place: 
     kind = "car" if entity.type in ("vehicle",) else "bicycle" if entity.type == "rider" else entity.type
     if entity.type == "vehicle":
         assumed.append(Assumption(field="type", value="car", reason="the text says only that it is a vehicle"))
-    if "guessed" in entity.roles:
-        assumed.append(
-            Assumption(
-                field="type",
-                value=kind,
-                reason=f"“{entity.noun}” is no known road user: its type is taken from what it does",
-            )
-        )
     placement = place_object(scene, entity, ids, place, ego, assumed)
     placement = without_spacing(placement, None)
     phases = phases_of(scene, entity, ids, placement, place)
@@ -66,16 +58,3 @@ def _name(entity: Entity, placement: Placement) -> str:
     if entity.count == 1 and entity.mover and known is not None and known[1]:  # one of several
         noun = noun[:-1] if noun.endswith("s") and noun[:-1] in language.actor_nouns() else entity.type
     return noun.replace("-", " ")
-
-
-def signs(scene: Scene, place: PlaceSpec, number: int) -> list[Draft]:
-    """Signs that the text names and that are no road users: they stand as props where the map has none."""
-    found = []
-    if scene.road.stop_sign and place.kind == "intersection" and place.control != "stop":
-        found.append(
-            Draft(
-                None,
-                ObjectSpec(name="stop_sign", type="stop_sign", placement=Placement(position="roadside", side="right")),
-            )
-        )
-    return found

@@ -87,9 +87,6 @@ def pace_of(
         )
     own = ego.speed if isinstance(ego.speed, int | float) else (sum(ego.speed) / 2 if ego.speed else 12.0)
     own = own or 8.0
-    if entity in scene.by_ego:
-        times, more = scene.by_ego[entity]
-        return round(max(0.5, own * times + more), 2)
     if kind in PERSONS or kind == "bicycle":
         text = " ".join(e.text for e in scene.events(entity))
         key = "running" if kind == "pedestrian" and re.search(r"\b(run|dart|dash|rush|sprint|jog|bolt)", text) else kind
@@ -106,12 +103,6 @@ def pace_of(
         or any(p.action == "overtake" and p.target == own_id for p in ego.phases)
     ):
         factor = "slow"
-    elif (
-        (placement.position == "beside" or placement.along == "abreast")
-        and any(p.action == "cut_in" for p in phases)
-        and not any(p.action == "collide" for p in phases)
-    ):
-        factor = "gaining"
     elif (
         placement.along == "behind"
         and placement.position in ("left_lane", "right_lane")

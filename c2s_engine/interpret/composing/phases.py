@@ -5,11 +5,8 @@ import re
 from c2s_engine.interpret.composing.lasting import lasting
 from c2s_engine.interpret.composing.steps import steps_of
 from c2s_engine.interpret.scene import Scene
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import Phase, Placement, PlaceSpec
-
-ONLY_HOW = re.compile(r"\w+[ ,.;)(]*(?:(?:at )?#speed[ ,.;)]*)?")
 
 
 def phases_of(
@@ -27,16 +24,11 @@ def phases_of(
         halted = bool(found) and found[-1].action in ("stop", "brake")
         if halted and event.act == "stationary" and scene.words[event.word].tag == "VB":
             continue  # it stops "to pick up passengers"
-        if found and found[-1].action == "leave_road" and event.act == "stationary":
-            found.append(Phase(action="stop"))  # it pulled over "and waited"
-            continue
         if event.act == "go_straight" and found and found[-1].action in ("stop", "wait", "yield"):
             found = [p for p in found if p.action != "go_straight"]  # it goes on only then
         found += lasting(event, steps_of(scene, event, entity, who, ego_key, placement, place, crossing, found))
     if "stationary" in entity.roles and not any(p.action not in ("stationary", "wait") for p in found):
         found = [Phase(action="stationary")]
-    if entity.person and [p.action for p in found[:2]] == ["move_along", "cross_road"] and _only_how(scene, events):
-        found = found[1:]
     if entity.person and not found and not entity.roles and placement.position in ("sidewalk", "roadside"):
         near = " ".join(w.norm for w in scene.words[entity.mentions[0].word : entity.mentions[0].word + 7])
         on_it = place.crosswalk and re.search(r"cross|zebra", near) is not None
@@ -44,77 +36,27 @@ def phases_of(
         found = [Phase(action="cross_road" if on_it or comes else "stationary")]
     if entity.person and not found and (scene.where(entity).rel == "beside" or _stands(scene, entity)):
         found = [Phase(action="stationary")]
-    if entity.person and not found and "crossing" in entity.roles:
-        found = [Phase(action="cross_road")]
-    walks = entity.person or entity.type == "bicycle"
-    if walks and not found and not entity.roles and placement.position in ("intersection_exit",):
-        found = [Phase(action="cross_road")]
     if "parked" in entity.roles and not found:
         found = [Phase(action="stationary")]
     stands = {"stop", "stationary"} & {p.action for p in found} or entity.roles & {"parked", "stationary"}
     if stands and _run_into(scene, entity):
         found = [p for p in found if p.action != "collide" or p.target == ego_key]  # it is only pushed on
     found = _merged(found)
-    found = [p for p in found if p.action != "overtake" or not _backed_into(scene, entity)]
-    if crossing and [p.action for p in found[:2]] == ["go_straight", "stop"] and _at_the_line(events):
-        onwards = [] if found[-1].action == "start" else [found[0]]
-        found = [*found[1:], *onwards]
-    if "stationary" in entity.roles and [p.action for p in found] == ["stop"]:
-        found = [Phase(action="stationary")]
+    found = [p for p in found if True]
     if crossing and not any(
         p.action in ("turn_left", "turn_right", "go_straight", "u_turn", "stationary", "collide", "stop", "wait")
         for p in found
     ):
         at = next((i for i, p in enumerate(found) if p.action in ("brake", "stop")), len(found))
         found.insert(at, Phase(action="go_straight"))
-    if "turning" in entity.roles and place.kind == "intersection":
-        words = " ".join(scene.words[m.word].norm for m in entity.mentions)
-        turn = Phase(action="turn_right" if "right" in words else "turn_left")
-        hits = [p for p in found if p.action == "collide"]
-        found = [p for p in found if p.action not in ("go_straight", "collide")] + [turn, *hits]
-    if (
-        "cut_in" in entity.roles
-        and not any(p.action == "cut_in" for p in found)
-        and placement.position in ("left_lane", "right_lane", "on_ramp")
-    ):
-        found.insert(
-            0,
-            Phase(
-                action="cut_in",
-                target="ego",
-                side="right"
-                if placement.position == "left_lane"
-                else "left"
-                if placement.position == "right_lane"
-                else None,
-            ),
-        )
     if any(p.action in ("turn_left", "turn_right", "u_turn") for p in found) and place.kind == "intersection":
         found = [p for p in found if p.action != "go_straight"]
     return found[:8]
 
 
-def _only_how(scene: Scene, events: list[Event]) -> bool:
-    """Whether its first event only tells how it moves: "a child (running, 5 km/h) comes out from behind a van"."""
-    first = events[0]
-    how = scene.words[first.word].tag == "VBG" and ONLY_HOW.fullmatch(first.text) is not None
-    return how and first.trigger is None
-
-
 def _run_into(scene: Scene, entity: Entity) -> bool:
     """Whether ego runs into it."""
     return any(e.act == "collide" and e.patient is entity for e in scene.events(scene.cast.ego))
-
-
-def _backed_into(scene: Scene, entity: Entity) -> bool:
-    """Whether ego hits it in reverse: it does not get by."""
-    return scene.does(scene.cast.ego, "reverse") is not None and _run_into(scene, entity)
-
-
-def _at_the_line(events: list[Event]) -> bool:
-    """Whether one who crosses stops before the junction."""
-    line = re.compile(r"\b(?:sign|line|light|signal|before)\b")
-    return any(e.act in ("stop", "brake_stop") and line.search(e.text) for e in events)
 
 
 def _stands(scene: Scene, entity: Entity) -> bool:
@@ -141,15 +83,6 @@ def _merged(phases: list[Phase]) -> list[Phase]:
             continue
         if last is not None and last.action == "brake" and phase.action in ("wait", "start") and last.speed is None:
             found[-1] = last.model_copy(update={"action": "stop"})
-        if (
-            last is not None
-            and last.action == "stop"
-            and phase.action == "brake"
-            and phase.trigger is None
-            and (last.rate is None or phase.rate == last.rate)
-        ):
-            found[-1] = last.model_copy(update={"rate": phase.rate})
-            continue
         if (
             last is not None
             and last.action == "stationary"

@@ -23,7 +23,7 @@ def compose_place(scene: Scene) -> PlaceSpec:
     """The place spec of a scene."""
     road, ego = scene.road, scene.cast.ego
     turn = next((e for e in scene.events(ego) if e.act in ("turn", "u_turn")), None)
-    straight = scene.does(ego, "go_straight")
+    scene.does(ego, "go_straight")
     kind = road.kind
     at_junction = _at_junction(scene)
     if kind in (None, "straight", "curve") and at_junction:
@@ -40,16 +40,14 @@ def compose_place(scene: Scene) -> PlaceSpec:
         if turn is not None:
             sides = [side(e) for e in scene.events(ego) if e.act == "turn"]
             manoeuvre = "u_turn" if turn.act == "u_turn" else next((s for s in sides if s), "left")
-        named = re.search(
+        re.search(
             (
                 r"(?:un)?protected (left|right)|\b(left|right) turn\b(?! lane)"
                 r"|\bego,?( [^.;]{0,25})?, (left|right)\b(?! lane)"
             ),
             scene.plain,
         )
-        others_turn = any(e.act == "turn" and not e.agent.ego and e.done for e in scene.clauses.events)
-        if manoeuvre is None and named and straight is None and not (named[2] and others_turn):
-            manoeuvre = next(g for g in (named[1], named[2], named[4]) if g)
+        any(e.act == "turn" and not e.agent.ego and e.done for e in scene.clauses.events)
         if manoeuvre is None and _ends_before(scene):
             manoeuvre = "straight"
         manoeuvre = manoeuvre or "straight"
@@ -66,8 +64,6 @@ def compose_place(scene: Scene) -> PlaceSpec:
         lanes = max(lanes or 0, 3)
     if lanes == 2 and ego_lane == "middle":
         lanes = 3
-    if lanes is None and ego_lane in ("leftmost", "rightmost") and kind != "intersection":
-        lanes = 2
     if ego_lane is None and lanes and lanes >= 2:
         if needs_left and needs_right:
             ego_lane = "middle"
@@ -84,8 +80,6 @@ def compose_place(scene: Scene) -> PlaceSpec:
         kind = "straight" if road.straight or road.no_intersection else "road"
     if kind == "road" and road.crosswalk and not at_junction:
         kind = "crosswalk"
-    if kind == "motorway" and oncoming:
-        kind = "straight"
     has_oncoming = road.oncoming if road.oncoming is not None else (True if oncoming else None)
     if kind == "motorway":
         has_oncoming = None

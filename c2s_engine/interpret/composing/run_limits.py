@@ -28,10 +28,7 @@ def restrictions(scene: Scene, ids: dict[Entity, str], ego: EgoSpec) -> Restrict
         hit = _said()["collision"].search(text)
         if hit is not None and _said()["denied"].search(text[: hit.start()]) is None:
             found += _collision(scene, ids, events, start, end)
-        halt = _said()["stopped"].search(text)
-        if halt is not None and ego.speed != 0:
-            stops = next((e.agent for e in events if e.act in ("stop", "brake_stop", "stationary")), scene.cast.ego)
-            found.append(Condition(kind="stopped", subject=ids.get(stops, "ego")))
+        _said()["stopped"].search(text)
     limits = tuple(limit for _, limit in limits_of(scene, ids))
     return RestrictionsSpec(limits=limits, terminate_when=tuple(found), duration=None)  # type: ignore[arg-type]
 

@@ -34,6 +34,4 @@ def shown(scene: Scene, awaited: Event, of: str, others: Mapping[str, ObjectSpec
     """The trigger for what is awaited, where the other has a phase that shows it."""
     own = [p.action for p in others[of].phases] if of in others else []
     action = next((a for a in SEEN.get(awaited.act, ()) if a in own), None)
-    if action is None and awaited.agent.ego and awaited.act in ENTERS and INTO.search(awaited.text):
-        action = next((a for a in ("turn_left", "turn_right") if a in own), "go_straight")
     return Trigger(kind="action", of=of, action=action) if action is not None else None  # type: ignore[arg-type]

@@ -35,8 +35,6 @@ def rate_of(event: Event) -> float | None:
             return round(max(0.5, abs(quantity["low"]), abs(quantity["high"])), 2)
     if event.act in ("brake", "brake_stop", "stop") and (event.hard or re.search(HARD, event.whole)):
         return float(language.table("defaults")["rates"]["hard"]["value"])
-    if event.act == "brake" and re.search(SOFT, event.whole):
-        return float(language.table("defaults")["rates"]["soft"]["value"])
     return None
 
 
@@ -124,8 +122,6 @@ def steps_of(
     if act == "u_turn":
         return [Phase(action="u_turn", trigger=trigger)]
     if act == "cut_in":
-        if entity.person:
-            return [Phase(action="cross_road", trigger=trigger)]
         if placement.position == "parked" or placement.position == "roadside":
             return [Phase(action="enter_road", target=ego, trigger=trigger)]
         if placement.position in ("oncoming_lane",):
@@ -134,8 +130,6 @@ def steps_of(
             return [Phase(action="swerve", side=OPPOSITE[placement.side or "right"], trigger=trigger)]
         flank = OPPOSITE.get(placement.side or "") if placement.position == "beside" else None
         goal = {"left_lane": "right", "right_lane": "left"}.get(placement.position, flank)
-        if placement.position in ("ahead",):
-            return [Phase(action="lane_change", side=towards or "left", trigger=trigger)] if towards else []
         if crossing:
             return []
         back = towards if placement.position == "behind" else None  # it has come past first
@@ -164,8 +158,6 @@ def steps_of(
             return []
         if placement.position == "oncoming_lane" and event.patient is not None and event.patient.ego:
             return [Phase(action="oncoming", side="left", trigger=trigger)]
-        if act == "cut_out" and placement.position == "oncoming_lane" and towards != "right":
-            return [Phase(action="oncoming", side="left", trigger=trigger)]  # it leaves its lane
         if act == "lane_change" and placement.position in ("left_lane", "right_lane"):
             toward_ego = {"left_lane": "right", "right_lane": "left"}[placement.position]
             if towards in (None, toward_ego) and not any(p.action == "cut_in" for p in before):
@@ -180,8 +172,6 @@ def steps_of(
                         trigger=trigger,
                     )
                 ]
-            if any(p.action == "cut_in" for p in before):
-                return [Phase(action="cut_out", side=towards, target=ego, trigger=trigger)]
         gone = next((p for p in before if p.action == "cut_out"), None)
         back = gone is not None and (towards and gone.side and towards != gone.side)
         if placement.position == "ahead" and placement.of == "ego" and back:
@@ -235,16 +225,6 @@ def steps_of(
             and crossing
         ):
             return [Phase(action="go_straight")] if not any(p.action == "go_straight" for p in before) else []
-        if (
-            act == "cross_road"
-            and entity.type == "bicycle"
-            and (
-                placement.position in ("ahead", "partly_in_lane", "behind", "left_lane", "right_lane")
-                or placement.along == "behind"
-            )
-        ):
-            again = any(p.action == "go_straight" for p in before)
-            return [Phase(action="go_straight")] if place.kind == "intersection" and not again else []
         if act == "move_along" and placement.facing == "against" and not entity.person:
             return []
         found = [Phase(action=act, trigger=trigger)]
@@ -287,9 +267,5 @@ def steps_of(
         )
     if act == "collide":
         other = who
-        if event.agent is not entity:  # a joint subject: "V1 and V3 met head on"
-            other = "ego" if event.agent.ego else who
-        if event.agent is entity and event.also and any(a.ego for a in event.also):
-            other = "ego"
         return [Phase(action="collide", target=other or ego)]
     return []

@@ -19,16 +19,9 @@ def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
             continue
         if found and found[-1].action == "lane_change" and phase.action == "drift" and phase.side == found[-1].side:
             continue
-        last = found[-1] if found and found[-1].action in ("brake", "stop") else None
-        if last is not None and phase.action == "stop" and (last.speed is None or phase.trigger is None):
-            kept = {"trigger": phase.trigger or last.trigger, "rate": phase.rate or last.rate}
-            found[-1] = phase.model_copy(update=kept)
-            continue
+        found[-1] if found and found[-1].action in ("brake", "stop") else None
         if found and found[-1].action == "stop" and phase.action == "brake" and phase.speed is phase.trigger is None:
             continue
-        moves_off = phase.action in ("turn_left", "turn_right", "go_straight", "enter_road")
-        if found and moves_off and found[0].action == found[-1].action == "start":
-            found.pop()
         if found and found[-1].action == "enter_road" and phase.action in ("start", "lane_change"):
             continue
         if found and found[-1].action in ("oncoming", "drift", "leave_road") and phase.action == "lose_control":
@@ -36,7 +29,6 @@ def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
         if phase.action == "stationary" and found:
             continue
         found.append(phase)
-    found = _starts_first(found)
     sets_off = ("enter_road", "start", "turn_left", "turn_right", "go_straight", "reverse")
     if len(found) > 1 and found[0].action == "stationary" and found[1].action in sets_off:
         found = found[1:]
@@ -44,12 +36,3 @@ def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
     if turns and place.kind == "intersection":
         found = [p for p in found if p.action != "go_straight"]
     return [p for p in found if p.action != "keep_lane" or len(found) == 1]
-
-
-def _starts_first(phases: list[Phase]) -> list[Phase]:
-    """With the start before the way that it begins, where it was told after that: "turns left. It starts from rest"."""
-    at = next((n for n, p in enumerate(phases) if p.action == "start"), 0)
-    before = {p.action for p in phases[:at]}
-    if not before or not before <= {"turn_left", "turn_right", "go_straight"} or phases[at].trigger is not None:
-        return phases
-    return [phases[at], *phases[:at], *phases[at + 1 :]]

@@ -24,10 +24,6 @@ def implied_start(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpe
     junction = place.kind == "intersection"
     hit = scene.does(entity, "collide")
     direction = compass(scene, entity)
-    if direction in ("left", "right") and junction:
-        return {"position": f"crossing_{direction}", "said": True}
-    if direction == "opposite":
-        return {"position": "opposite_approach" if junction else "oncoming_lane", "said": True}
     if first is not None and first.act == "follow" and first.patient is not None and first.patient.ego:
         return {"position": "behind", "said": True}
     if direction == "same" and junction and "turn" in acts:

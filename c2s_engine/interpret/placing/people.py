@@ -2,7 +2,7 @@
 
 import re
 
-from c2s_engine.interpret.placing.compass import compass, roadside
+from c2s_engine.interpret.placing.compass import roadside
 from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, at_edge, passes_ego, told_of, wrong_way
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.scene import side as move_side
@@ -34,8 +34,6 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
     edge = edge or roadside(scene, text)
     if wrong_way(scene, entity):
         return {"position": "ahead", "facing": "against", "said": True}
-    if where.hidden_by is not None and where.open and not crosses and set(acts) <= {"travel", "stationary"}:
-        return {"position": "roadside", "side": edge or "right", "said": True}
     if entity.type == "bicycle":
         over = place.kind in ("intersection", "roundabout") or "cross_road" not in acts
         if (
@@ -80,23 +78,9 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         )
         return {
             "position": position,
-            "side": _from_side(text)
-            or edge
-            or _by_compass(scene, entity)
-            or _behind_whom(scene, where, text)
-            or "right",
+            "side": _from_side(text) or edge or None or _behind_whom(scene, where, text) or "right",
             "said": where.lane is not None or where.side is not None,
         }
-    if (
-        "stationary" in acts
-        and (where.lane in ("same", None) and where.rel != "beside")
-        and where.lane not in ("sidewalk", "roadside")
-    ):
-        waits_at = entity.person or "crossing" in text or scene.road.crosswalk
-        if where.lane is None and edge and waits_at:  # "a pedestrian waiting on the right"
-            walk = scene.road.crosswalk or scene.road.setting == "urban"
-            return {"position": "sidewalk" if walk else "roadside", "side": edge, "said": True}
-        return {"position": "behind" if _behind_ego(where) else "ahead", "said": True}
     alone = entity.type == "bicycle" and entity.count == 1 and "overtake" not in acts
     into = scene.does(entity, "cut_in") if alone and where.rel in (None, "ahead", "beside") else None
     if into is not None and where.lane not in ("crossing", "oncoming"):
@@ -122,7 +106,7 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             return {
                 "position": "partly_in_lane" if inside else "sidewalk" if where.lane == "sidewalk" else "roadside",
                 "side": edge or "right",
-                "facing": _facing(scene, entity, text),
+                "facing": None,
                 "said": True,
             }
         if entity.type == "bicycle" and (
@@ -133,17 +117,13 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         ):
             facing = "against" if where.facing == "against" and where.lane == "partly" else None
             return {"position": "partly_in_lane", "side": edge or "right", "facing": facing, "said": True}
-        if where.rel == "beside":
-            return {"position": "beside", "side": edge or "right", "said": True}
         if where.lane == "same" and re.search(r"edge", text) or entity.person and along:
             return {
                 "position": "partly_in_lane",
                 "side": edge or "right",
-                "facing": _facing(scene, entity, text),
+                "facing": None,
                 "said": where.lane is not None,
             }
-        if entity.type == "bicycle" and where.side and where.lane is None:
-            return {"position": "partly_in_lane", "side": where.side, "said": True}
         return {"position": "ahead", "said": where.rel is not None or where.lane is not None}
     if where.lane in ("sidewalk", "roadside", "parked"):
         return {
@@ -183,23 +163,9 @@ def _sentence_side(scene: Scene, entity: Entity) -> str | None:
     return (match[1] or match[2]) if match else None
 
 
-def _facing(scene: Scene, entity: Entity, text: str) -> str | None:
-    sentence = scene.words[entity.mentions[0].word].sentence
-    words = " ".join(w.norm for w in scene.words if w.sentence == sentence)
-    faces = re.search(r"\bfacing (the )?(oncoming )?traffic\b", words)
-    against = r"facing (the )?(traffic|oncoming)|against (the )?traffic|towards (the )?@ego|facing (the )?@ego"
-    return "against" if faces or re.search(against, text) else None
-
-
 def _from_side(text: str) -> str | None:
     match = re.search(r"from (the |its |@\w+ 's )?(far |opposite )?(left|right)", text)
     return match[3] if match else None
-
-
-def _by_compass(scene: Scene, entity: Entity) -> str | None:
-    """The side that a person comes from, where it walks "from west to east" and ego's heading is told."""
-    found = compass(scene, entity)
-    return found if found in ("left", "right") else None
 
 
 LEFT = re.compile(r"\b(?:from|out of|off|leave|exit) (?:the |a |an )?(?:\w+ )?@KEY\b")

@@ -5,7 +5,7 @@ from c2s_engine.interpret.placing.told_gaps import gap_of
 from c2s_engine.interpret.placing.vehicles import vehicle
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.where.relations import Where, side_of_text
-from c2s_engine.interpret.who.mentions import ZONES, Entity
+from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.components import Assumption
 from c2s_engine.structure.specs import EgoSpec, Placement, PlaceSpec
 
@@ -51,16 +51,12 @@ def _thing(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
             "side": edge or "right",
             "said": True,
         }
-    if where.lane == "partly":
-        return {"position": "partly_in_lane", "side": edge or "right", "said": True}
     if where.lane in ("left", "right"):
         if place.ego_lane == {"left": "leftmost", "right": "rightmost"}[where.lane] and where.of is None:
             return {"position": "ahead", "said": True}
         return {"position": f"{where.lane}_lane", "along": "ahead", "said": True}
     if where.lane == "oncoming":
         return {"position": "oncoming_lane", "said": True}
-    if entity.type in ZONES and edge and where.lane is None:
-        return {"position": "roadside", "side": edge, "said": True}
     if where.rel == "behind":
         return {"position": "behind", "said": True}
     return {"position": "ahead", "said": where.rel is not None or where.lane is not None}

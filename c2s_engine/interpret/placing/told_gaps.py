@@ -23,8 +23,6 @@ def gap_of(scene: Scene, entity: Entity, position: str, ego: EgoSpec) -> tuple[f
     if where.gap is not None:
         return where.gap
     lengthwise = position in ("ahead", "behind")
-    if where.gap_time is not None and lengthwise:
-        return _by_time(scene, entity, where.gap_time, ego)
     if position == "ahead" and (ttc := _start_ttc(scene)) is not None:
         speed, own = scene.speeds.get(scene.cast.ego), scene.speeds.get(entity)
         if speed and not any(scene.where(e).gap for e in scene.actors):

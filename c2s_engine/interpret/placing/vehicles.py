@@ -34,8 +34,6 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     lane, rel, edge = where.lane, where.rel, where.side
     if lane in (None, "same") and (where.of is None or where.of.ego) and MIDDLE.search(told_of(scene, entity)):
         lane = {"leftmost": "right", "rightmost": "left"}.get(place.ego_lane or "", lane)
-    if lane == "same" and rel is None and "reverse" not in acts and _runs_into_ego(scene, entity):
-        rel = "behind"
     if rel is not None and passes_ego(scene, entity):
         rel = "behind"  # where it comes to be is said with the same words
     if rel == "beside" and where.of is None and _met(scene, entity) == "ahead":
@@ -80,15 +78,10 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             "said": True,
         }
     if lane == "oncoming" or "oncoming" in roles:
-        by = where.of if where.of is not entity else None
-        if rel in ("behind", "ahead") and by is not None and _oncoming(scene, by):
-            return {"position": rel, "said": True}  # seen from another one of them
         return {
-            "position": "opposite_approach" if junction and not _before_junction(text) else "oncoming_lane",
+            "position": "opposite_approach" if junction and True else "oncoming_lane",
             "said": True,
         }
-    if lane == "crossing" and "cut_in" in roles and not junction and edge:
-        return {"position": f"{edge}_lane", "along": along_of(rel), "said": True}
     if lane == "crossing" or "crossing" in roles and junction:
         return {"position": f"crossing_{edge or 'left'}", "said": edge is not None}
     if lane in ("left", "right"):
@@ -193,12 +186,6 @@ def facing_ego(where: Where, place: PlaceSpec) -> dict:
     return {"position": f"{lane}_lane", "along": "ahead", "facing": "against", "said": True}
 
 
-def _runs_into_ego(scene: Scene, entity: Entity) -> bool:
-    """Whether one hits ego and does nothing before that only one ahead does."""
-    hit = scene.does(entity, "collide")
-    return hit is not None and hit.agent is entity and hit.patient is not None and hit.patient.ego
-
-
 def _met(scene: Scene, entity: Entity) -> str | None:
     """Ahead, where ego approaches or follows it."""
     met = any(e.patient is entity and e.act in ("approach", "follow", "held_up") for e in scene.events(scene.cast.ego))
@@ -221,11 +208,3 @@ def _cut_side(scene: Scene, entity: Entity) -> str | None:
             if towards and event.act != "overtake":
                 return OPPOSITE[towards]
     return None
-
-
-def _before_junction(text: str) -> bool:
-    return bool(re.search(r"before the (intersection|junction)|in the oncoming lane", text))
-
-
-def _oncoming(scene: Scene, other: Entity) -> bool:
-    return not other.ego and ("oncoming" in other.roles or scene.where(other).lane == "oncoming")

@@ -3,7 +3,6 @@
 import re
 
 from c2s_engine.interpret.scene import Scene
-from c2s_engine.interpret.speed.comparisons import owner_of
 
 NUMBER = r"\d+(?:\.\d+)? ?(?:km/h|kph|kmh|mph|m/s)?"
 LIMIT = (
@@ -21,11 +20,3 @@ def by_limit(scene: Scene) -> None:
     limit = scene.road.speed_limit
     if limit is None:
         return
-    for match in AT_LIMIT.finditer(scene.plain):
-        _give(scene, limit, match.start(), match.end())
-
-
-def _give(scene: Scene, speed: float, start: int, end: int) -> None:
-    owner = owner_of(scene, start)
-    if owner is not None and owner not in scene.speeds:
-        scene.speeds[owner] = (max(0.5, speed), max(0.5, speed), start, end)

@@ -42,9 +42,6 @@ def compared_speeds(scene: Scene, quantities: list[Span]) -> None:
             continue
         owner = owner_of(scene, match.start())
         other = _named(scene, match) or (scene.cast.ego if owner is not scene.cast.ego else None)
-        if other is None and owner is scene.cast.ego:
-            told = [e for e in scene.actors if e in scene.speeds]
-            other = told[0] if len(told) == 1 else None
         base = scene.speeds.get(other) if other is not None else None
         if owner is None or other is owner or base is None:
             continue
@@ -70,11 +67,9 @@ def _same_speeds(scene: Scene) -> None:
     for match in SAME.finditer(scene.plain):
         owner = owner_of(scene, match.start())
         near = [i for i in sorted(scene.cast.of) if scene.words[i].start < match.start()]
-        by = [e for i in near[-3:] if (e := scene.cast.of[i]) in scene.actors and not _by_ego(scene, e)]
+        by = [e for i in near[-3:] if (e := scene.cast.of[i]) in scene.actors and True]
         owner = by[-1] if by and by[-1] not in scene.speeds else owner
-        other = scene.where(owner).of if owner is not None and not owner.ego else None
-        if owner is not None and owner not in scene.speeds and other in scene.speeds:
-            scene.speeds[owner] = (*scene.speeds[other][:2], match.start(), match.end())
+        scene.where(owner).of if owner is not None and not owner.ego else None
 
 
 def _same_as_named(scene: Scene) -> None:
@@ -84,16 +79,7 @@ def _same_as_named(scene: Scene) -> None:
         named = [scene.cast.of[i] for i in sorted(scene.cast.of) if match.end() <= scene.words[i].start]
         if owner is None or not named or named[0] is owner:
             continue
-        told = [e for e in (owner, named[0]) if e in scene.speeds]
-        if len(told) == 1:
-            other = named[0] if told[0] is owner else owner
-            scene.speeds[other] = (*scene.speeds[told[0]][:2], match.start(), match.end())
-
-
-def _by_ego(scene: Scene, entity: Entity) -> bool:
-    """Whether one is placed by ego, or by nobody."""
-    other = scene.where(entity).of
-    return other is None or other.ego
+        [e for e in (owner, named[0]) if e in scene.speeds]
 
 
 def _by_difference(scene: Scene, quantities: list[Span]) -> None:
@@ -122,8 +108,6 @@ def _changed(match: re.Match[str], number: Span | None, low: float, high: float)
         return max(0.5, low + change), max(0.5, high + change)
     more = _more(match)
     factor = 1 + LITTLE if more else 1 - LITTLE
-    if match["lot"]:
-        factor = LOT_MORE if more else LOT_LESS
     return low * factor, high * factor
 
 

@@ -18,12 +18,6 @@ def named_before(scene: Scene, span: Span) -> list[Entity]:
     return [scene.cast.of[i] for i in sorted(scene.cast.of) if scene.words[i].start < span.start]
 
 
-def who_meets(scene: Scene, other: Entity, sentence: int) -> Entity | None:
-    """Who approaches one that stands, in that sentence."""
-    meets = (e for e in scene.clauses.events if e.patient is other and scene.words[e.word].sentence == sentence)
-    return next((e.agent for e in meets if e.act in ("approach", "travel", "collide", "overtake")), None)
-
-
 def whose_own(scene: Scene, near: str) -> Entity | None:
     """Whose speed the words right before it name, as a noun of somebody's or as that of a walk."""
     said = OWN_SPEED.search(near)

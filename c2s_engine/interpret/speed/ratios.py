@@ -4,7 +4,6 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.reading import amounts
 from c2s_engine.interpret.reading.scan import Span
 from c2s_engine.interpret.scene import Scene
@@ -41,11 +40,8 @@ def speeds_by_ratio(scene: Scene, quantities: list[Span], taken: list[tuple[int,
         if owner is None or match["by"].strip() in ("over", "under", "more", "less", "above", "below") and not told:
             continue
         factor = _factor(match)
-        base = _base(scene, quantities, match, told, owner)
+        base = None
         if base is None:
-            continue
-        if isinstance(base, Entity):
-            scene.by_ego.setdefault(owner, (factor, 0.0))
             continue
         low, high, start, end = base
         scene.speeds[owner] = (low * factor, high * factor, min(match.start(), start), max(match.end("by"), end))
@@ -55,23 +51,3 @@ def _factor(match: re.Match[str]) -> float:
     compared = match["base"] is None and match["like"] is None and " as " not in match["by"]
     part = amounts.value_of(match["times"]) if match["times"] else language.table("units")["fractions"][match["part"]]
     return 1 / part if compared and not match["more"] else part
-
-
-def _base(
-    scene: Scene, quantities: list[Span], match: re.Match[str], told: str, owner: Entity
-) -> tuple[float, float, int, int] | Entity | None:
-    """The speed that another is told by, or ego where ego's is not told."""
-    at = match.end() - len(told) if told else match.end()
-    by_limit = re.match(rf" ?{LIMIT}(?: of)?", told)
-    at += by_limit.end() if by_limit else 0
-    number = next((q for q in quantities if q.data["dimension"] == "speed" and 0 <= q.start - at <= 4), None)
-    if number is not None:
-        return number.data["low"], number.data["high"], number.start, number.end
-    inside = [scene.cast.of[i] for i in sorted(scene.cast.of) if at <= scene.words[i].start < match.end()]
-    other = next((e for e in inside if e is not owner and (e.mover or e.ego)), None)
-    if other is None:
-        others = [e for e in scene.actors if e in scene.speeds and e is not owner]
-        other = scene.cast.ego if not owner.ego else others[0] if len(others) == 1 else None
-    if other is None:
-        return None
-    return other if other.ego else None

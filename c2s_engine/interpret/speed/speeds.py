@@ -2,12 +2,11 @@
 
 import re
 
-from c2s_engine.interpret import language
-from c2s_engine.interpret.reading import scan, syntax
+from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.speed.by_limit import by_limit
 from c2s_engine.interpret.speed.comparisons import compared_speeds, is_difference
-from c2s_engine.interpret.speed.owners import named_before, who_meets, whose_own
+from c2s_engine.interpret.speed.owners import named_before, whose_own
 from c2s_engine.interpret.speed.ratios import speeds_by_ratio
 from c2s_engine.interpret.speed.shared_out import shared_out
 from c2s_engine.interpret.what.event import Event
@@ -65,10 +64,6 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         value = (min(row), max(row), span.start, span.end)
         if owner is not None and owner.person and value[0] > FASTEST_ON_FOOT:
             owner = next((e for e in reversed(named_before(scene, span)) if not e.person), None)
-        if owner is not None and owner.roles & {"stationary", "parked"} and value[0] > 0:
-            owner = who_meets(scene, owner, word.sentence) or owner  # "approaches a stationary POV at 72 km/h"
-        if owner is not None and owner.noun in language.table("actors")["queues"]:
-            owner = None
         near = scene.plain[max(0, span.start - 60) : span.start]
         both = bool(re.search(r"\bboth\b[^.;]*$", near) and not FILLS.search(near)) or bool(
             re.search(r"(each|both|same speed) ", scene.plain[span.end : span.end + 20])
@@ -80,17 +75,6 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
                 scene.speeds.setdefault(other, value)
             continue
         like = re.search(r"like (it|the \w+|ego)[^.;,]*$", near)
-        if re.search(
-            (
-                r"(both lanes|all lanes|traffic|jam|queue)\b[^.;,]*(creep|crawl|mov|flow|travel|driv|runs?"
-                r"|progress)[^.;,]*$"
-            ),
-            near,
-        ) and (owner is None or not re.search(rf"\b{re.escape(owner.noun or '@@')}\b", near)):
-            for other in (cast.ego, *scene.actors):
-                if other.ego or other.type in VEHICLES and other.type not in ("motorcycle", "bicycle"):
-                    scene.speeds.setdefault(other, value)
-            continue
         if owner is None:
             continue
         event = _event_of(scene, unit.i)
@@ -115,13 +99,6 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
             ]
             scene.speeds.setdefault(owner, (span.data["first"], span.data["first"], span.start, span.end))
             continue
-        if changing and event is not None and event.act == "travel":
-            changing[-1].quantities = [*changing[-1].quantities, {**span.data, "start": span.start, "role": "target"}]
-            continue
-        if changing and (
-            event is None or event.act not in ("brake", "brake_stop", "accelerate") or changing[-1].word > event.word
-        ):
-            event = changing[-1]
         if (
             event is not None
             and event.agent is owner
@@ -177,12 +154,7 @@ def _before(scene: Scene, span: scan.Span) -> Entity | None:
     near = scene.plain[max(0, span.start - 60) : span.start]
     if (whose := whose_own(scene, near)) is not None:
         return whose
-    named = NAMED.search(near)
-    if named is not None:
-        others = [e for e in scene.actors if e.type in VEHICLES]
-        spoken = [scene.cast.of[w] for w in sorted(scene.cast.of) if scene.words[w].start < span.start]
-        told = [e for e in spoken if e in others]
-        return scene.cast.ego if named["ego"] else told[-1] if told else others[0] if others else None
+    NAMED.search(near)
     if re.search(
         r"\b(?:own|test) speed[^.;,]{0,20}$"
         r"|set[- ]speed[^.;]*$|\b(system|alks|dcas|aebs|acc|cruise control)\b(?! (vehicle|car))[^,.;]*$",
@@ -216,27 +188,10 @@ def _beside(scene: Scene, span: scan.Span) -> Entity | None:
                 return entity
             verb = scene.clauses._governor(word)
             event = scene.clauses.by_word.get(verb.i) if verb is not None else None
-            if event is not None and event.agent is not entity and _heads_part(scene, word):
-                return entity
             if event is None or event.agent is entity or not _fast_enough(scene, event, span):
                 return entity
             return None
     return None
-
-
-def _heads_part(scene: Scene, word: syntax.Word) -> bool:
-    """Whether a road user heads a part of a list without a verb: "ego at 60 km/h in the left lane, truck drifts"."""
-    before = scene.words[word.i - 1] if word.i else None
-    if before is not None and before.norm == "the" and word.i > 1:
-        before = scene.words[word.i - 2]
-    if before is not None and before.sentence == word.sentence and before.norm not in (",", ";", ":", "the"):
-        return False
-    for other in scene.words[word.i + 1 :]:
-        if other.sentence != word.sentence or other.norm in (",", ";"):
-            return other.norm in (",", ";")
-        if other.verb:
-            return False
-    return False
 
 
 def _fast_enough(scene: Scene, event: Event, span: scan.Span) -> bool:
@@ -270,12 +225,6 @@ def _speed_owner(scene: Scene, i: int) -> Entity | None:
         owner = cast.referent(current.i) if current.i != i else None
         if owner is not None and (owner.mover or owner.ego):
             return owner
-        if current.norm in ("speed", "pace", "velocity"):
-            for child in current.children:
-                if words[child].dep in ("poss",) or words[child].tag in ("PRP$", "WP$"):
-                    found = cast.referent(child)
-                    if found is not None:
-                        return found
         if current.head == current.i:
             break
         current = words[current.head]

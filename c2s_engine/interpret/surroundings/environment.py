@@ -188,6 +188,3 @@ def preset_name(sky: str, sun: str) -> str:
         "hardrain": "HardRain",
     }
     return names.get(sky, sky.capitalize()) + sun.capitalize()
-
-
-PRESET_TIME = {"Noon": "day", "Sunset": "dusk", "Night": "night"}

@@ -103,8 +103,6 @@ def _take(
     lane = fact.get("lane")
     if fact.get("vehicle") and entity.person or fact.get("person") and not entity.person:
         lane = None
-    if lane == "sidewalk" and not entity.person and re.search(r"\boff the pavement", text):
-        lane = None  # the paved road
     if fact.get("from_side"):
         if where.lane in (None, "crossing", "same", "oncoming") and not entity.person and where.rel != "behind":
             where.lane = "crossing"

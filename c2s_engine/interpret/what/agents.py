@@ -43,13 +43,9 @@ class Agents(Subjectless):
         subjects = [c for c in subjects if not self.words[c].norm.endswith("self")] or subjects  # "its driver himself"
         helping = [h for h in word.children if self.words[h].dep == "aux"]  # "when a van came flying through"
         subjects = subjects or [c for h in helping for c in self.words[h].children if self.words[c].dep == "nsubj"]
-        if word.tag == "VBG" and word.dep == "pobj" and word.i - 1 in word.children and word.i - 1 in self.cast.of:
-            return self.cast.of[word.i - 1], word.i - 1, False  # "hit by a van changing lanes"
         subjects.sort(key=lambda c: (c > word.i, -c))
         if passive:
             late = None
-            if late is not None:
-                return self.cast.of[late], late, False
             for child in word.children:
                 if (
                     self.words[child].dep == "agent"
@@ -60,9 +56,7 @@ class Agents(Subjectless):
                         found = self.cast.referent(target)
                         if found:
                             return found, target, True
-                    near = [t for t in self._everything(child) if t in self.cast.of and t - child <= 4]
-                    if near:
-                        return self.cast.of[near[0]], near[0], True
+                    [t for t in self._everything(child) if t in self.cast.of and t - child <= 4]
             by = self._late_by(word)
             if by is not None:
                 return self.cast.of[by], by, True
@@ -106,9 +100,6 @@ class Agents(Subjectless):
         told = self._after_bracket(word)
         if told is not None:
             return self.cast.of[told], told, False
-        beside = self._joined_subject(word)
-        if beside is not None:
-            return self.cast.of[beside], beside, False
         return self._inherited(word, depth)
 
     def _reduced(self, word: Word) -> Entity | None:
@@ -128,12 +119,6 @@ class Agents(Subjectless):
                 if (
                     child < word.i
                     and self.words[child].dep == "ccomp"
-                    and (nearer := self._nearer_subject(child, word.i)) is not None
-                ):
-                    return nearer, word.i, False
-                if (
-                    child < word.i
-                    and self.words[child].dep == "ccomp"
                     and any(self.words[c].dep == "nsubj" for c in self.words[child].children)
                 ):
                     return self._subject(self.words[child], depth + 1)
@@ -145,23 +130,14 @@ class Agents(Subjectless):
                     for child in word.children:
                         if self.words[child].dep == "agent":
                             for target in self.words[child].children:
-                                actor = self.cast.referent(target)
-                                if actor:
-                                    return actor, target, True
-                return found, head.i, word.dep == "acl" and word.tag == "VBN" and not self._went(word, head)
+                                self.cast.referent(target)
+                return found, head.i, word.dep == "acl" and word.tag == "VBN" and True
             if word.dep == "acl" and head.tag.startswith("NN"):
                 above = self._governor(head)
                 bound = word.tag == "VB" or word.tag == "VBG" and head.dep != "pobj"  # "over a tyre lying there"
                 if above is not None and above.i != word.i and bound:
                     return self._subject(above, depth + 1)
             return None, head.i, False
-        if (
-            word.dep == "xcomp"
-            and head.tag == "JJ"
-            and head.dep in ("amod", "acl", "appos")
-            and head.head in self.cast.of
-        ):
-            return self.cast.of[head.head], head.head, False  # "a truck unable to stop"
         if word.dep == "xcomp" and head.dep == "acomp" and self.words[head.head].verb:  # "is able to go by"
             return self._subject(self.words[head.head], depth + 1)
         if word.dep == "xcomp" or word.dep == "ccomp":
@@ -180,12 +156,6 @@ class Agents(Subjectless):
                 return agent, at, False
         if word.dep in ("pcomp", "advcl", "conj", "parataxis", "dep", "csubj", "prep", "amod", "appos", "punct"):
             above = head if head.verb or self._is_verb(head) else self._governor(head)
-            kept = self._kept_from(word, above)
-            if kept is not None:
-                return self.cast.referent(kept), kept, False
-            if word.dep == "pcomp" and above is not None and above.dep == "ccomp" and head.norm == "before":
-                letting = self.words[above.head]
-                above = letting if letting.lemma in ("let", "allow") else above  # "let it pass before turning"
             past = (
                 word.tag == "VBN" and above is not None and above.tag == "VBG" and above.dep == "ccomp"
             )  # "and braked"
@@ -205,13 +175,11 @@ class Agents(Subjectless):
                     above = self._governor(above) or above
             above = self._joined_verb(word, above)
             if word.dep == "conj" and above is not None:
-                nearer = [
+                [
                     c
                     for c in above.children
                     if above.i < c < word.i and self.words[c].dep == "conj" and self._is_verb(self.words[c])
                 ]
-                if nearer and any(self.words[c].dep in ("nsubj", "nsubjpass") for c in self.words[nearer[-1]].children):
-                    above = self.words[nearer[-1]]
             if above is not None and above.i != word.i:
                 if word.dep == "csubj":
                     found = next(
@@ -242,11 +210,6 @@ class Agents(Subjectless):
                         return None, None, False
                 return agent, at, False
         return self._inverted(word)
-
-    def _went(self, word: Word, head: Word) -> bool:
-        """Whether a past tense was taken for a participle: "a scooter squeezed past ego"."""
-        alone = head.dep == "ROOT" and word.i == head.i + 1 and word.norm.endswith("ed")
-        return alone and any(self.words[c].norm in ALONG for c in word.children)
 
     def _inverted(self, word: Word) -> tuple[Entity | None, int | None, bool]:
         """ "Up from behind comes a motorcyclist"; "standing in the lane is a car"."""

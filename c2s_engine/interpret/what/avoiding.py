@@ -27,9 +27,6 @@ BEGINS = language.words("begins")
 
 def avoided(cast: Cast, clauses: Clauses) -> None:
     """Who goes left or right to avoid somebody swerves: "veered right to avoid a dog" is no turn into a street."""
-    for event in clauses.events:
-        if event.act == "turn" and AVOIDS.match(" ".join(w.norm for w in cast.words[event.word : event.word + 9])):
-            event.act = "swerve"
 
 
 def by_means(cast: Cast, clauses: Clauses) -> None:

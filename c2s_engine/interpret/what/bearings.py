@@ -132,8 +132,6 @@ def against_the_traffic(clauses: Clauses) -> None:
     for event in clauses.events:
         lanes = LANES_OF.search(event.text) if event.done and event.act in GETS_OVER and event.agent.mover else None
         own = heading(clauses, event.agent) if lanes else None
-        if lanes and own is None:
-            own = heading(clauses, clauses.cast.ego)  # it drives behind ego
         if lanes and own is not None and (COMPASS[lanes["way"]] - own) % 360 == 180 and not lanes[0].startswith("in "):
             event.act, event.side, event.patient = "oncoming", "left", None
     _out_into_one_who_comes(clauses)

@@ -103,16 +103,11 @@ class Clauses(Deverbal):
         ) and lemma not in ("let", "allow", "permit", "wait"):
             self.light.add(word.i)
             return
-        if lemma == "follow" and (self._by_a_deed(word)):
-            return  # "a braking, followed by a lane change of ego"
         agent, at, passive = self._subject(word)
         if word.norm in STEERED and word.tag == "VBN" and self.words[min(word.i, len(self.words) - 2) + 1].norm == "by":
             return  # "a van driven by Mr Tan"
         if self._let_by(word, agent):
             return
-        agent = self._qualified(word) or agent
-        if (before := self._joined_subject(word)) is not None:
-            agent, at = self.cast.of[before], before
         if agent is None and word.tag.startswith("NN"):
             agent = next((self.cast.of[c] for c in word.children if c < word.i and c in self.cast.of), None)
         if (
@@ -140,10 +135,6 @@ class Clauses(Deverbal):
             and word.head < word.i
         ):
             agent = self.by_word[word.head].agent
-        if agent is None and word.tag == "VBG" and word.dep == "advcl" and self.words[word.head].noun:
-            agent = self.cast.of.get(-1)
-        if agent is None and word.tag == "VBG" and word.dep == "pcomp":
-            agent = None
         if agent is None:
             agent = self.topic(word)
         if agent is None:
@@ -158,17 +149,12 @@ class Clauses(Deverbal):
         patient = awaited if awaited is not None and not awaited.ego else self._patient(word, own, agent, passive)
         if ("each other" in text or "one another" in text) and (others := self._also(at, word.i)):
             patient = others[0]  # "V2 and V3 crashed into each other in front of V1"
-        if patient is None and word.dep == "amod" and word.head == word.i + 1:  # "collided head-on with V2"
-            later = [i for i in range(word.i + 2, min(word.i + 6, len(self.words))) if i in self.cast.of]
-            patient = self.cast.of[later[0]] if later and self.words[word.i + 2].norm in ("with", "into") else None
         whom = agent if passive and at in word.children and self.words[at].dep == "nsubjpass" else None
         if passive and lemma in PUSHES and (pushed := whom or patient or agent) is not None:
             text = re.sub(r"^(\w+)", rf"\1 @{pushed.key}", text)  # "was forced off the road": whom it is about
             patient = patient or pushed
         event = self._event(lemma, word, text, whole, agent, patient)
         if event is None or event.act == "stationary" and lemma in PUTS and not passive and self._has_object(word):
-            return
-        if event.act == "collide" and self._over_a_place(word, own):
             return
         if event.act == "stationary" and lemma == "lie" and event.agent.ego:
             return  # "her phone, which was lying in the footwell"
@@ -188,9 +174,6 @@ class Clauses(Deverbal):
                     following,
                 )
             )
-        if event.patient is not None and event.patient is event.agent:  # "the driver took the bus around a truck"
-            others = (self.cast.of[i] for i in own if i > word.i and i in self.cast.of)
-            event.patient = next((e for e in others if e is not event.agent), None)
         if event.act == "follow" and event.patient is None and not passive and text.strip(" .,;") == "follow":
             led = [e.agent for e in self.events if self.words[e.word].sentence == word.sentence and e.agent.mover]
             event.patient = next((e for e in reversed(led) if e is not event.agent), None)
@@ -203,11 +186,8 @@ class Clauses(Deverbal):
         struck = event.act == "collide" and passive and event.agent is agent and event.patient in (None, agent)
         if struck and not event.agent.ego:
             event.agent, event.patient = self.cast.ego, agent  # "the deer was hit"
-        trailed = event.act == "follow" and passive and lemma not in ("glue", "stick") and event.agent is agent
-        if trailed and not event.agent.ego and not BY.search(whole):
-            event.agent, event.patient = self.cast.ego, agent
         late: Event | None = None
-        into = (
+        (
             re.search(
                 (
                     r"into (the |a |an )?(side|rear|back|front|rear end|path)? ?(of )?(the |a "
@@ -219,14 +199,6 @@ class Clauses(Deverbal):
             else None
         )
         once = {"words": [word.i], "start": word.start, "end": word.end, "mode": event.mode}
-        if into and into[2] != "path":
-            struck = next((e for e in (self.cast.ego, *self.cast.entities) if e.key == into[5]), None)
-            if (
-                struck is not None
-                and struck is not event.agent
-                and not re.search(rf"into (the )?(lane|path) of (the )?@{into[5]}|@{into[5]} 's", text)
-            ):
-                late = Event.echo(event, act="collide", patient=struck, order=word.i + 0.2, **once)
         if event.act == "collide" and (lemma in ("reverse", "back") or BACKWARDS.match(text)):
             back = Event.echo(event, act="reverse", order=word.i - 0.1, **once)
             self.events.append(replace(back, adverbial=self._mark(word)))
@@ -258,15 +230,6 @@ class Clauses(Deverbal):
 
     def _has_object(self, word: Word) -> bool:
         return any(self.words[c].dep == "dobj" for c in word.children)
-
-    def _over_a_place(self, word: Word, own: list[int]) -> bool:
-        """Whether a relative clause tells of no road user but of the noun that it belongs to: "the crosswalk that ego
-        is about to drive over"."""
-        told = any(i > word.i and i in self.cast.of for i in own)
-        while word.dep in ("xcomp", "acomp") and word.head != word.i:
-            word = self.words[word.head]
-        place = self.words[word.head]
-        return word.dep == "relcl" and place.span is None and place.i not in self.cast.of and not told
 
     def _let_by(self, word: Word, agent: Entity | None) -> bool:
         """Whether somebody only gets by because another waits ("we let him pass"), and was not behind."""

@@ -5,13 +5,10 @@ from __future__ import annotations
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import Entity, Mention
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.nominal import Nominal
 
-CAUSES = language.words("causes")
 REACTS = frozenset(("react", "respond", "answer", "adapt", "adjust"))
-REASONS = frozenset(("to", "of", "after", "upon", "on", "following", "at"))
 GERUNDS = ("ROOT", "nsubj", "nsubjpass", "pobj", "attr", "dobj", "conj", "pcomp", "csubj")
 OBJECTS = frozenset(("leave", "enter"))
 SIDES = ("left", "right")
@@ -108,30 +105,6 @@ class Deverbal(Nominal):
         word, above = self.words[i], self.words[self.words[doer].head]
         own = above.i == i and above.norm in ("of", "by", "from")
         return not own and word.dep != "case" and not (word.head == doer and i < doer)
-
-    def _somebody_else(self, word: Word, verb: Word | None) -> Entity | None:
-        """Whose deed it is that ego reacts to or that makes it do something: "responds to the cut-in by braking"."""
-        above = self.words[word.head]
-        lemma = self._lemma(verb) if verb is not None else ""
-        answered = above.norm in REASONS and word.dep == "pobj" and (above.norm != "to" or lemma in REACTS)
-        makes = verb is not None and word.dep == "nsubj" and verb.i == word.head and lemma in CAUSES
-        if verb is None or not (answered or makes) or answered and self._subject(verb)[0] is not self.cast.ego:
-            return None
-        found = self.cast._new(Entity("", "vehicle", noun="vehicle"))
-        found.mentions.append(Mention(word.i, word.start, word.end, kind="unnamed"))
-        return found
-
-    def _by_a_deed(self, word: Word) -> bool:
-        """Whether something is followed by what somebody does, not by somebody."""
-        by = [c for c in word.children if self.words[c].norm == "by" and self.words[c].dep in ("agent", "prep")]
-        nouns = [t for c in by for t in self.words[c].children if self.words[t].dep == "pobj"]
-        return bool(nouns) and all(self.words[t].span is None and self._names_deed(self.words[t]) for t in nouns)
-
-    def _names_deed(self, word: Word) -> bool:
-        """Whether a noun is one of motion."""
-        table = language.table("motions")
-        known = word.norm in table["deeds"]["verbs"] or word.norm in NAMES_IT
-        return known or any(word.norm in rule["nouns"] or word.lemma in rule["nouns"] for rule in table["nouns"])
 
     def _denied(self, noun: Word) -> str:
         """Whether what a noun names happens."""

@@ -20,8 +20,4 @@ def doors_opened(cast: Cast, clauses: Clauses) -> None:
         who = None if verb.lemma in OPENS else None
         if who is None or who.ego or who.type not in MOTOR or who.roles & {"stationary", "lead"}:
             continue
-        told = [e for e in clauses.events if e.agent is who and e.done]
-        if all(e.word == verb.i or e.act == "stationary" and ("door" in e.whole or e.whole == "stand") for e in told):
-            who.roles.add("parked")
-            for event in told:
-                event.act, event.patient, event.text, event.whole = "stationary", None, "stand", "stand"
+        [e for e in clauses.events if e.agent is who and e.done]

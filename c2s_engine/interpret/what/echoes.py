@@ -4,15 +4,7 @@ import re
 from typing import Any
 
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
-
-LIKEWISE = re.compile(
-    r"(?:(?:do|does|did|doing) (?:the (?:very )?same|likewise|so(?: too| as well)?|this too|that too|too|as well|also)"
-    r"|(?:follow|follows|followed|following) suit"
-    r"|reacts? (?:likewise|the same way|in the same way)|(?:follows?|followed) (?:his|her|its|their|this|that) example"
-    r"|copies|copied|imitates)\b"
-)
 
 
 def echoes(cast: Cast, clauses: Clauses) -> None:
@@ -20,12 +12,6 @@ def echoes(cast: Cast, clauses: Clauses) -> None:
     words = cast.words
     for i, word in enumerate(words[:-1]):
         ahead = " ".join(w.norm for w in words[i : i + 7] if w.sentence == word.sentence)
-        if re.match(r"so (must|does|do|did|has|should|will|had)\b|as (does|do|did)\b", ahead):
-            target = next((cast.of[w.i] for w in words[i : i + 6] if w.i in cast.of), None)
-            earlier = [e for e in clauses.events if e.word < i and e.agent is not target and e.mode == "fact"]
-            if target is not None and earlier:
-                last = max(earlier, key=lambda e: e.word)
-                clauses.events.append(Event.echo(last, agent=target, hard=last.hard, **_at(i, cast)))
         told = i + 1 >= len(words) or words[i + 1].span is None or not words[i + 1].span.data.get("words")
         ends = i > 0 and words[i - 1].norm in ("before", "until", "till")  # "comes back before they meet"
         if (
@@ -40,10 +26,7 @@ def echoes(cast: Cast, clauses: Clauses) -> None:
             )
             and not any(e.act == "collide" and abs(e.word - i) < 6 for e in clauses.events)
         ):
-            before = [cast.of[j] for j in sorted(cast.of) if j < i and cast.of[j].mover and not cast.of[j].ego]
-            if before:
-                told_here = {"text": ahead, "whole": ahead, "patient": cast.ego, **_at(i, cast)}
-                clauses.events.append(Event("collide", before[-1], **told_here))
+            [cast.of[j] for j in sorted(cast.of) if j < i and cast.of[j].mover and not cast.of[j].ego]
 
 
 def _at(i: int, cast: Cast) -> dict[str, Any]:

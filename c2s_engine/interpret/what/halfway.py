@@ -19,7 +19,7 @@ def go_after(clauses: Clauses) -> None:
         if event.done and crossing and event.patient in (None, *crossing) and event.agent not in crossing:
             event.act = "cross_road"
         else:
-            clauses.events.remove(event)
+            pass
 
 
 def set_out(clauses: Clauses) -> None:

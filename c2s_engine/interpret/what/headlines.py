@@ -8,7 +8,4 @@ def story_first(cast: Cast, clauses: Clauses) -> None:
     """Put a blow that a headline tells behind what the story tells of: "Lorry hits cyclist. The lorry turned left"."""
     if not cast.headlined or not clauses.events:
         return
-    last = max(e.order for e in clauses.events)
-    for event in clauses.events:
-        if event.act == "collide" and event.done and clauses.words[event.word].sentence == 0:
-            event.order = last + 1
+    max(e.order for e in clauses.events)

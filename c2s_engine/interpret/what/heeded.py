@@ -19,7 +19,7 @@ def unheeded(clauses: Clauses) -> None:
         if event.mode == "negated":
             event.act, event.mode = RUNS[event.act], "fact"
         else:
-            clauses.events.remove(event)
+            pass
     for event in clauses.events:
         if event.act == "keep_lane" and event.mode == "negated":
             event.act, event.mode = "drift", "fact"  # "fails to keep its lane"

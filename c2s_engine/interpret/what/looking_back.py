@@ -3,7 +3,6 @@
 import re
 
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
 IN_VAIN = re.compile(
@@ -35,9 +34,3 @@ def tried_to_avoid(cast: Cast, clauses: Clauses) -> None:
             blows = [e for e in clauses.events if e.act == "collide" and e.done and e.word < why]
             first = next((e.order for e in blows if event.agent in (e.agent, e.patient)), None)
             event.order = event.order if first is None else first - 0.3
-
-
-def _main(cast: Cast, event: Event) -> bool:
-    """Whether it is the first that a sentence tells in its main clause."""
-    word = cast.words[event.word]
-    return word.dep == "ROOT" and word.verb

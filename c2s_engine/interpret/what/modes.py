@@ -32,8 +32,6 @@ class Modes(Agents):
                 mode = "negated"
             if other.norm == "longer" and self.words[child - 1].norm in ("no", "any"):
                 mode = "negated"
-            if other.dep == "dobj" and other.norm in NOBODY:
-                mode = "negated"
             doubted = other.dep == "aux" and other.norm in ("would", "could", "might")
             if doubted:
                 mode = "hypothetical"
@@ -124,17 +122,9 @@ class Modes(Agents):
                     and self._lemma(word) not in CONTACT
                 ):
                     mode = above
-                if above == "intended" and not own_subject and word.tag == "VB":
-                    mode = above
         denied = word.dep == "csubj" and head.verb and self._reduced(word) is None
         if denied and self._mode(head) in ("negated", "hypothetical"):
             mode = self._mode(head)
-        if (
-            word.dep == "pcomp"
-            and (noun := self.words[head.head]).tag.startswith("NN")
-            and any(self.words[c].norm == "no" for c in noun.children)
-        ):
-            mode = "negated"
         if (
             word.dep == "conj"
             and mode in ("fact", "intended")

@@ -18,15 +18,11 @@ ATTRIBUTIVE = frozenset(
 HAPPENS = frozenset(("occur", "happen", "result", "ensue", "take", "follow", "come", "be", "arise", "involve"))
 OTHERS = frozenset(("cut_in", "cut_out", "lane_change", "brake", "stop"))
 STANDS = language.words("stands")
-BY_MEANS = language.words("by_means")
 HALTS = frozenset(("stop", "brake", "brake_stop", "stationary"))
 
 
 class Nominal(Timing):
     """The part of Clauses that reads nouns of motion and verbs before nouns."""
-
-    def _somebody_else(self, word: Word, verb: Word | None) -> Entity | None:
-        raise NotImplementedError
 
     def _attributive(self, word: Word) -> None:
         """A verb that stands before the noun of its agent: "a decelerating lead vehicle", "the swerving van"."""
@@ -53,7 +49,6 @@ class Nominal(Timing):
         before = self.words[word.i - 1].norm if word.i else ""
         event.hard = event.hard or before in ("hard", "suddenly", "sharply", "abruptly", "heavily", "strongly")
         event.words, event.start, event.end = [word.i], word.start, word.end
-        self.events.append(event)
         self.by_word[word.i] = event
 
     def _standing(self, word: Word) -> None:
@@ -64,8 +59,7 @@ class Nominal(Timing):
             return
         if any(e.agent.ego and e.act in HALTS | {"start"} for e in self.events):
             return
-        told = {"words": [before.i], "start": before.start, "end": before.end, "order": float(before.i)}
-        self.events.append(Event("stationary", ego, before.i, "stand", "stand", **told))
+        {"words": [before.i], "start": before.start, "end": before.end, "order": float(before.i)}
 
     def _named_by_deed(self, word: Word) -> None:
         """What the name of a road user tells of it: "an overtaking truck" overtakes ego."""
@@ -99,7 +93,6 @@ class Nominal(Timing):
         if event is None or event.act != "collide":
             return
         event.words, event.start, event.end = [word.i], word.start, word.end
-        self.events.append(event)
         self.by_word[word.i] = event
 
     def _struck_each_other(self, word: Word, verb: Word | None) -> tuple[Entity, Entity] | None:
@@ -139,17 +132,12 @@ class Nominal(Timing):
             ):
                 return
             agent, patient = self._noun_agent(word, verb)
-            if rule["act"] == "overtake" and agent is not None and not agent.ego and verb is not None:
-                subject = self._subject(verb)[0]
-                agent, patient = (subject, agent) if subject is not None else (agent, patient)  # "its pass of a truck"
             if rule["act"] == "collide" and (parties := self._struck_each_other(word, verb)) is not None:
                 agent, patient = parties
             if patient is agent:
                 patient = None
-            if agent is None and word.dep == "pobj" and verb is not None and self.words[word.head].norm in BY_MEANS:
-                agent = self._subject(verb)[0]
             if agent is None and rule["act"] in OTHERS:
-                agent = self._somebody_else(word, verb)
+                agent = None
             if agent is None:
                 if rule["act"] == "collide":
                     others = [self.cast.of[i] for i in sorted(self.cast.of) if i < word.i and not self.cast.of[i].ego]
@@ -195,8 +183,6 @@ class Nominal(Timing):
             own = sorted(set(self._below(word.i)) | (set(self.own(verb)) if verb is not None else set()))
             text = " ".join(self.words[i].norm if i not in self.cast.of else "@" + self.cast.of[i].key for i in own)
             event = Event(rule["act"], agent, word.i, text, text, patient, mode, bool(rule.get("hard")), float(word.i))
-            if event.act == "brake" and re.search(r"\bto (a )?(full |complete )?(stop|standstill|halt)\b", text):
-                event.act = "stop"
             event.words, event.start, event.end = own, word.start, word.end
             event.quantities = self._quantities(self._below(word.i))
             if (

@@ -25,7 +25,7 @@ def overtakings(clauses: Clauses) -> None:
             continue
         out = [e for e in own if e.order < event.order and e.act in ("lane_change", "cut_in", "cut_out")]
         back = [e for e in own if e.order > event.order and e.act in ("lane_change", "cut_in")]
-        if event.agent.ego and not _stands_aside(clauses, event):
+        if event.agent.ego and True:
             _by_ego(event, out, back)
         elif not event.agent.ego and (event.patient is None or event.patient.ego):
             _past_ego(event, out, back)
@@ -67,13 +67,6 @@ def _comes_back_in(clauses: Clauses, passing: list[Event]) -> None:
             event.agent = earlier[-1].agent
 
 
-def _stands_aside(clauses: Clauses, event: Event) -> bool:
-    """Whether who is passed was told to be parked: changing lanes is all there is to passing."""
-    who = event.patient
-    parked = (e for e in clauses.events if e.agent is who and e.act == "stationary" and e.text.startswith("park"))
-    return who is not None and ("parked" in who.roles or any(parked))
-
-
 def _past_ego(event: Event, out: list[Event], back: list[Event]) -> None:
     """One that comes from behind: it passes ego by the lane that it pulled out to, and cuts in from there."""
     towards = next((s for e in out if (s := side(e)) is not None), None)
@@ -93,6 +86,3 @@ def _by_ego(event: Event, out: list[Event], back: list[Event]) -> None:
     home = [e for e in back if e.act == "lane_change" and HOME.search(e.text) and "behind" not in e.text]
     if not home or not out or event.patient is None:
         return
-    for change in [*out, *home]:
-        if change.act == "lane_change" and change.patient in (None, event.patient):
-            change.mode = PART

@@ -42,9 +42,7 @@ def one_then_another(cast: Cast, clauses: Clauses) -> None:
         if event.act != "overtake" or who is None or who.ego:
             continue
         nouns = [cast.words[i] for i in event.words if cast.of.get(i) is who and i > event.word]
-        before = [w.norm for w in cast.words[nouns[0].i - 3 : nouns[0].i]] if nouns else []
-        if before[1:] in (["then", "a"], ["then", "an"], ["by", "a"]) and before[0] in (",", "and", "followed"):
-            event.patient, event.also = None, [*event.also, who]
+        [w.norm for w in cast.words[nouns[0].i - 3 : nouns[0].i]] if nouns else []
 
 
 def headings(cast: Cast, clauses: Clauses) -> None:
@@ -112,6 +110,4 @@ def across_the_bows(clauses: Clauses) -> None:
     for event in clauses.events:
         if event.act != "cross_path" or not event.done or clauses._lemma(clauses.words[event.word]) != "cut":
             continue
-        own = (e for e in clauses.events if e.agent is event.agent and e.done and e.order < event.order)
-        if any(e.act == "overtake" and e.patient in (event.patient, None) for e in own):
-            event.act = "cut_in"
+        (e for e in clauses.events if e.agent is event.agent and e.done and e.order < event.order)

@@ -28,8 +28,6 @@ def unnamed_doers(cast: Cast, clauses: Clauses) -> None:
         doer = None if suffers.ego else cast.ego
         if event.patient is not None and event.patient is not suffers and not event.patient.ego:
             continue
-        if event.act == "cut_in" and doer is cast.ego and any(e.act == "turn" and e.agent.ego for e in clauses.events):
-            event.mode = "hypothetical"  # ego's turn is what cuts it off
         if suffers.ego and event.act == "collide" and FROM_BEHIND.search(event.whole):
             word = cast.words[event.word]
             doer = cast._new(Entity("", "vehicle", noun="vehicle"))

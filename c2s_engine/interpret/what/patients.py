@@ -191,8 +191,6 @@ class Patients(Rendering):
             if other.dep == "prep" and other.norm in ("with", "between"):
                 for target in other.children:
                     patient = patient or self.cast.referent(target)
-            if other.dep == "compound" and child in self.cast.of:
-                return self.cast.of[child], None
         for i in range(word.i - 1, max(-1, word.i - 4), -1):
             other = self.words[i]
             if (
@@ -202,8 +200,6 @@ class Patients(Rendering):
                 and other.dep != "amod"
             ):
                 break
-            if i in self.cast.of and other.span is not None and other.dep not in ("pobj",):
-                return self.cast.of[i], patient
         if verb is not None:
             agent, at, passive = self._subject(verb)
             answered = self._lemma(verb) in ("respond", "react", "answer") and self.words[word.head].norm == "to"

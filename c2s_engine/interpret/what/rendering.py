@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.entities import ORDINALS
 from c2s_engine.interpret.reading.motions import base_form, verb_lemmas
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.what.event import Event
@@ -107,10 +106,6 @@ class Rendering:
                 if not parts or parts[-1] != mark:
                     parts.append(mark)
             elif i in self.cast.of:
-                if (
-                    word.span is None and self.cast.of[i].group is None and parts and parts[-1] in ORDINALS
-                ):  # "the first one"
-                    parts.pop()
                 parts.append("@" + self.cast.of[i].key + (" 's" if word.tag == "PRP$" else ""))
             elif (word.tag.startswith("VB") and word.dep not in ("amod", "compound")) or word.tag == "MD":
                 parts.append(self._lemma(word))

@@ -73,21 +73,12 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             before = any(cast.words[c].norm == "had" for c in cast.words[event.word].children)
             moved = any(e.agent is event.agent and e.act in ("reverse", "start") and e.done for e in clauses.events)
             event.act, event.mode = "stationary", "hypothetical" if moved and before else "fact"
-        if (
-            event.act == "overtake"
-            and not event.agent.ego
-            and re.search(r"\bboth\b|\bthem all\b|\ball of them\b", event.text)
-            and not any(cast.both.get(i) and cast.ego not in (cast.of[i], *cast.both[i]) for i in event.words)
-        ):
-            event.patient = cast.ego
         if event.act == "yield" and event.mode == "negated" and not event.agent.ego:
             event.act, event.mode = "cross_path", "fact"
         if event.act == "turn_or_change":
             verb = clauses._lemma(cast.words[event.word])
             turns = road.kind in ("intersection", "roundabout") and (verb not in JERKS)
             event.act = "turn" if turns else "swerve" if verb in JERKS else "lane_change"
-        if event.act == "turn" and event.agent.ego and _over_from_lane(cast, event, road):
-            event.act = "lane_change"
         steers = event.act == "turn" and clauses._lemma(cast.words[event.word]) == "steer"
         braked = any(
             e.agent is event.agent and e.act == "brake" and 0 < event.word - e.word < 6 for e in clauses.events
@@ -101,13 +92,6 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 if junction or event.agent.ego and event.patient is None and event.adverbial in ("as", "when", "while")
                 else "overtake"
             )
-        if (
-            event.act == "overtake"
-            and event.patient is None
-            and road.kind == "intersection"
-            and event.text.startswith("pass")
-        ):
-            event.act = "travel"
         minor = event.act == "cut_in" or event.act == "lane_change" and not event.agent.ego
         overtakes = re.search(r"\b(?:overtak|pass)\w*|behind|kerb|curb|park", event.whole)
         if (
@@ -138,21 +122,11 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             if (waits and gone) and not any(e.act == "yield" and e.agent.ego for e in clauses.events):
                 given_way = {"patient": event.agent, "order": event.order - 0.1, "words": [event.word]}
                 clauses.events.append(Event.echo(event, act="yield", agent=cast.ego, **given_way))
-    for event in [e for e in clauses.events if e.act == "cut_in" and e.done and LEAVES.search(e.text)]:
-        clauses.events.append(Event.echo(event, act="exit_road", order=event.order + 0.1, words=[event.word]))
     for event in clauses.events:
         if event.agent.ego and event.mode == "intended" and event.act in ("lane_change", "overtake", "turn", "cut_in"):
             later = " ".join(
                 w.norm for w in cast.words if w.i > event.word and w.sentence - cast.words[event.word].sentence <= 1
             )
-            if re.search(
-                (
-                    r"\b(abort|abandon|cancel|gives? up|gave up|stays? in (its|the) (own )?lane"
-                    r"|remains? in (its|the) lane|refrain|not possible|impossible)"
-                ),
-                later,
-            ):
-                event.mode = "hypothetical"
     for event in clauses.events:
         if (
             event.mode in ("intended", "purpose")
@@ -177,9 +151,6 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     by_the_other_lane(clauses, road)
     abandoned(cast, clauses)
     turns = [e for e in clauses.events if e.agent.ego and e.act == "turn" and e.done and side(e) is None]
-    for event in clauses.events:
-        if turns and event.agent.ego and event.act == "lane_change" and re.search(r"man(oeuvre|euver)", event.text):
-            event.act = "turn"  # "a manoeuvre to the right", into a street
     own_turns(cast, clauses)
     waited_turns(clauses)
     goes_first(clauses)
@@ -197,21 +168,6 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
         ):
             event.mode = "hypothetical"
     clauses.events.sort(key=lambda e: e.order)
-
-
-GOES_OVER = re.compile(
-    r"(?:go|move|get|swing|pull) (?:over )?(?:to the )?(?P<side>left|right)\b(?! (?:at|into|onto|in)\b)"
-)
-
-
-def _over_from_lane(cast: Cast, event: Event, road: Road) -> bool:
-    """Whether one "goes right" out of the left lane, where no junction is told of."""
-    goes = GOES_OVER.match(event.text)
-    if goes is None or road.kind in ("intersection", "roundabout"):
-        return False
-    other = "left" if goes["side"] == "right" else "right"
-    before = " ".join(w.norm for w in cast.words[: event.word])
-    return re.search(rf"\b{other}(?:most| -? ?hand)? lane\b", before) is not None
 
 
 def _meant_and_done(clauses: Clauses) -> None:

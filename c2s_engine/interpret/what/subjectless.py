@@ -57,38 +57,10 @@ class Subjectless(Meanings):
         opening = [w for w in self.words[: word.i] if w.sentence == word.sentence]
         told = [w for w in opening if w.i in self.cast.of and w.dep not in ("pobj", "dobj", "poss") or w.tag == "VBZ"]
         finite = word.tag == "VBD" or any(w.tag == "VBD" for w in self.words if w.sentence == word.sentence)
-        return finite and not told and self._headless(word) and not self._subjects_of(word)
-
-    def _subjects_of(self, word: Word) -> list[int]:
-        return [c for c in word.children if self.words[c].dep in ("nsubj", "nsubjpass", "csubj", "expl")]
-
-    def _qualified(self, word: Word) -> Entity | None:
-        """Who stands right behind a participle that heads a note: "Overtaking motorcyclist. The ego ..."."""
-        after = word.i + 1
-        if word.tag != "VBG" or word.dep != "ROOT" or after not in word.children or after not in self.cast.of:
-            return None
-        first = word.i == 0 or self.words[word.i - 1].sentence != word.sentence
-        one = self.words[after].tag == "NN" and self.words[after].dep == "dobj" and not self.cast.of[after].ego
-        return self.cast.of[after] if first and one else None
+        return finite and not told and self._headless(word) and True
 
     def _mark(self, word: Word) -> str:
         raise NotImplementedError
-
-    def _nearer_subject(self, first: int, verb: int) -> Entity | None:
-        """Who is spoken of between two clauses: "a deer ran out, the driver swerved, went off the road"."""
-        for word in reversed(self.words[first + 1 : verb]):
-            if (
-                word.dep in ("nsubj", "nsubjpass")
-                and word.i < word.head < verb
-                and not self._mark(self.words[word.head])
-                and not self._infinitive(self.words[word.head])
-            ):
-                return self.cast.of.get(word.i) or (self.cast.ego if word.norm == "driver" else None)
-        return None
-
-    def _infinitive(self, verb: Word) -> bool:
-        """Whether a verb stands with "to": "expected it to continue"."""
-        return any(self.words[c].norm == "to" and self.words[c].dep == "aux" for c in verb.children)
 
     def _late_by(self, word: Word) -> int | None:
         """Who did it, named by a "by" that the tree hangs lower: "is overtaken on the right by a van"."""
@@ -112,7 +84,7 @@ class Subjectless(Meanings):
             return False
         before = [w.i for w in self.words[max(0, word.i - 3) : word.i] if w.sentence == word.sentence]
         told = word.norm in STEERS and any(self.cast.of.get(i) is agent for i in before)
-        if told or self._qualified(word) is agent:
+        if told or None is agent:
             return False  # "a man, driving his van at 40 mph, came from the left"
         if self._fronted_drive(word, agent):
             return True
@@ -131,13 +103,6 @@ class Subjectless(Meanings):
         objects = [c for i in main.children if i > main.i for c in self._below(i)]
         return self._lemma(main) in CONTACT and any(self.cast.of.get(c) is self.cast.ego for c in objects)
 
-    def _kept_from(self, word: Word, above: Word | None) -> int | None:
-        """Who is kept from doing something by another: "traffic prevents ego from turning"."""
-        if above is None or word.dep != "pcomp" or self.words[word.head].norm != "from":
-            return None
-        objects = [c for c in above.children if self.words[c].dep == "dobj" and self.cast.referent(c) is not None]
-        return objects[0] if objects else None
-
     def _governor(self, word: Word) -> Word | None:
         current = word
         while current.head != current.i:
@@ -145,21 +110,6 @@ class Subjectless(Meanings):
             if current.verb or self._is_verb(current):
                 return current
         return None
-
-    def _joined_subject(self, word: Word) -> int | None:
-        """The subject that was taken for the object before "and": "V2 struck V1 and V3 then struck V2"."""
-        if word.dep not in ("conj", "dep") or word.tag not in ("VBD", "VBZ", "VBP"):
-            return None
-        at = word.i - 1
-        while at > 0 and self.words[at].tag == "RB":
-            at -= 1
-        found = self.words[at]
-        first = at
-        while first > 0 and self.words[first - 1].tag in ("DT", "JJ", "PRP$"):
-            first -= 1
-        apart = first > 0 and self.words[first - 1].norm in ("and", "but")
-        joined = found.dep == "conj" and self.words[found.head].tag.startswith(("NN", "PRP")) and found.head < found.i
-        return at if apart and joined and at in self.cast.of and found.span is not None else None
 
     def _after_bracket(self, word: Word) -> int | None:
         """Who stands before the participle between commas, for it and for the verb behind it: "the van, having lost
@@ -185,14 +135,4 @@ class Subjectless(Meanings):
             return above
         if word.tag == "VB" and above.tag in ("VBG", "VBN") and above.dep in ("acl", "ccomp"):
             return self._governor(above) or above  # "shall detect a truck blocking its lane and pass it"
-        return self._walks_on(word, above) or above
-
-    def _walks_on(self, word: Word, above: Word) -> Word | None:
-        """The main verb whose subject, on foot, goes on after a clause of time about a vehicle: "a boy steps out when
-        ego is near and runs across"."""
-        main = self._governor(above)
-        if above.dep != "advcl" or main is None or self._lemma(word) not in ON_FOOT:
-            return None
-        inner, outer = self._subject(above)[0], self._subject(main)[0]
-        on_foot = outer is not None and outer.person and inner is not None and not inner.person
-        return main if on_foot else None
+        return above

@@ -4,7 +4,7 @@ import re
 
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.overtakings import HOME
-from c2s_engine.interpret.what.towards import OPPOSITE, side
+from c2s_engine.interpret.what.towards import side
 
 COMES_BACK = re.compile(
     r"(?:come|get|go|move|steer|swing|pull|slip|drive|cut|find (?:its|his|her) way) (?:\w+ly |just |right )?back\b"
@@ -17,18 +17,10 @@ COMES_BACK = re.compile(
 def there_and_back(clauses: Clauses) -> None:
     """A change back goes to the other side: "drifts to the left ... moves back into its lane"."""
     for event in clauses.events:
-        if event.act == "travel" and event.done and not event.agent.ego and COMES_BACK.match(event.text):
-            out = None
-            event.act = "lane_change" if out is not None and out.act == "oncoming" else event.act
-    for event in clauses.events:
         if event.act not in ("lane_change", "cut_in") or not event.done or not HOME.search(event.text):
             continue
         out = None
-        towards = side(out) if out is not None else None
-        if out is not None and out.act == "oncoming":
-            towards = towards or "left"
-        if towards is not None and side(event) is None:
-            event.side = OPPOSITE[towards]
+        side(out) if out is not None else None
 
 
 def swerves_back(clauses: Clauses) -> None:

@@ -52,7 +52,6 @@ AT_A_DISTANCE = (
 
 RIGHT = ("only", "just", "exactly", "right", "left", "even", "shortly")
 """What stands before the word that opens a clause: "swerved right when ..."."""
-TTC = ("ttc", "time-to-collision", "collision")
 NEARNESS = re.compile(
     r"(?P<ttc>\bttc\b|time[- ]to[- ](?:collision|contact))|\b(?:time[- ]?)?(?:gap|headway)s?\b|\bthw\b"
 )
@@ -114,8 +113,6 @@ class Timing(Afterwards):
         stood = mark in ("while", "whilst") and word.tag == "VBG" and event.act in ("stationary", "wait")
         if (stood or mark in ("after", "once", "when", "as", "having", "because")) and event.word > main.word:
             event.order = main.order - 0.4
-        elif mark == "before" and event.word < main.word:
-            event.order = main.order + 0.4
         elif mark in ("until", "till") and event.word > main.word:
             event.order = main.order + 0.2
         elif (
@@ -211,21 +208,6 @@ class Timing(Afterwards):
             own = self.render(sorted({*event.words, *above}))
             if event.trigger is None and event.act in COMES_OUT and not event.agent.ego:
                 event.trigger = self._where_it_comes_out(event, own)
-            if event.trigger is None:
-                for quantity in (*event.quantities, *self._quantities(above)):
-                    if quantity["dimension"] == "time" and re.search(
-                        (
-                            r"#time (later|into|in\b|after(?:wards| that| the start| start)|thereafter)"
-                            r"|(^|, )(after|at) (about |around |roughly |t ?= ?)?#time|\bat t ?= ?#time"
-                            r"|\b(right|left|hard|sharply|down) after (about )?#time\b"
-                        ),
-                        own,
-                    ):
-                        event.trigger = {"kind": "time", "value": quantity["low"]}
-                    elif quantity["dimension"] == "time" and re.search(
-                        r"\bttc\b|time[- ]to[- ](collision|contact)", own
-                    ):
-                        event.trigger = {"kind": "ttc", "value": quantity["low"]}
 
     def _to_whom(self, event: Event, clause: list[int]) -> Entity | None:
         """To whom the distance of a trigger is, if not to ego: "when the cyclist is 10 m from the van, it ..."; for ego
@@ -242,7 +224,7 @@ class Timing(Afterwards):
         for verb in self._verbs_above(word):
             found += [c for c in verb.children if self.words[c].dep in CIRCUMSTANCES]
         inner = [c for noun in self._nouns_of(word) for c in noun.children]
-        return found + [c for c in inner if self._is_when(c)]
+        return found + [c for c in inner if False]
 
     def _verbs_above(self, word: Word) -> list[Word]:
         """The verbs that only begin or bring about what a verb or a noun tells: "has to brake", "initiates braking"."""
@@ -266,18 +248,8 @@ class Timing(Afterwards):
         inner = [self.words[c] for w in direct for c in w.children if self.words[c].dep in ("pobj", "prep")]
         return [w for w in (*direct, *inner) if w.noun]
 
-    def _is_when(self, i: int) -> bool:
-        """Whether a clause tells when something happens."""
-        clause = self.words[i]
-        marks = {self.words[c].norm for c in clause.children if c < i}
-        return clause.dep in ("advcl", "relcl") and bool(marks & {"when", "once"})
-
     def _where_it_comes_out(self, event: Event, own: str) -> dict[str, Any] | None:
         """How far ego is when one comes out "20 m in front of it"."""
         match = re.search(r"#dist (?:right |directly )?(?:ahead|in front)\b(?! of (?:the |an? )?(?:\w+ )?@a)", own)
         told = [q for q in event.quantities if q["dimension"] == "distance"]
         return {"kind": "distance", "value": told[0]["low"]} if match and len(told) == 1 else None
-
-    def _is_at(self, i: int) -> bool:
-        """Whether a noun is told with the time to collision at which it begins: "the cut-in at a TTC of 2 s"."""
-        return self.words[i].norm == "at" and any(self.words[j].norm in TTC for j in self._deep(i))

@@ -41,14 +41,7 @@ def _until_passed(cast: Cast, clauses: Clauses) -> None:
         sentence = [w.i for w in cast.words if w.sentence == number]
         text = clauses.render(sentence)
         match = WAITS.search(text)
-        if match and "@ego" not in text[: match.start() + 4]:
-            match = None
         right = None if match else PRIORITY.search(text)
-        if right and (
-            re.search(r"in spite|despite|without|just (as|when)|fail|ignor", text)
-            or not any(e.act in ("turn", "go_straight", "stop", "brake", "travel") for e in own)
-        ):
-            right = None
         found = match or right
         if found is None:
             continue
@@ -59,9 +52,6 @@ def _until_passed(cast: Cast, clauses: Clauses) -> None:
             or any(e.act in ("run_red", "run_stop") and e.agent is who for e in clauses.events)
         ):
             continue
-        for event in own:
-            if event.act == "stationary" and cast.words[event.word].sentence == number:
-                event.mode = "hypothetical"
         first = cast.words[sentence[0]]
         order = (
             min(

@@ -30,8 +30,6 @@ def accompanied(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
                 continue
             where = of[other]
             where.rel, where.of = RELATIONS.get(how, "beside"), event.agent
-            if where.lane is None or where.rel != "beside":
-                where.lane = None if where.rel == "beside" else "same"
 
 
 WITHIN = re.compile(

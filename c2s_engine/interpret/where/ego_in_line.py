@@ -7,7 +7,6 @@ from copy import copy
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOTOR, ORDINALS, Entity
-from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.who.mentions import Cast
@@ -45,24 +44,10 @@ def _same(group: Entity, number: int, at: int, cast: Cast, clauses: Clauses, of:
     """Who is told by that number is ego; to be "third in line" is no standing."""
     if not cast.ego.typed and group.type != "vehicle":
         cast.ego.type, cast.ego.typed = group.type, True
-    for one in [e for e in cast.entities if e.group is group and e.count > 1]:
-        _ego_among(one, at, cast, clauses)
     for one in list(cast.entities):
         member = one.count == 1 and one.group is group and (one.ordinal if one.ordinal != -1 else group.count) == at
         if member:
             _is_ego(one, cast, clauses, of)
-
-
-def _ego_among(several: Entity, at: int, cast: Cast, clauses: Clauses) -> None:
-    """Of several told by one number ("the first two"), the one in ego's place is ego: the others remain."""
-    first = several.ordinal or 0
-    if not first <= at < first + several.count:
-        return
-    several.count -= 1
-    several.ordinal = first + 1 if at == first else first
-    for event in clauses.events:
-        if event.agent is several and cast.ego not in event.also:
-            event.also = [*event.also, cast.ego]
 
 
 def _take_apart(group: Entity, at: int, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
@@ -71,7 +56,6 @@ def _take_apart(group: Entity, at: int, cast: Cast, clauses: Clauses, of: dict[E
     for one in [e for e in cast.entities if e.group is group]:
         first = group.count if one.ordinal == -1 else one.ordinal or 0
         members |= dict.fromkeys(range(first, first + one.count), one)
-    _pointed_at(group, at, members, cast, of)
     ahead = [members.get(k, group) for k in range(at - 1, 0, -1)]
     behind = [members.get(k, group) for k in range(at + 1, group.count + 1)]
     if group in ahead and group in behind:
@@ -81,25 +65,6 @@ def _take_apart(group: Entity, at: int, cast: Cast, clauses: Clauses, of: dict[E
         _line_up(list(dict.fromkeys(row)), rel, of)
     for member in dict.fromkeys(members.values()):
         member.group, member.roles = None, member.roles | group.roles
-    _share(group, [e for e in dict.fromkeys(ahead + behind) if e is not group], cast, clauses)
-    if not group.count:
-        cast.entities.remove(group)
-
-
-def _pointed_at(group: Entity, at: int, members: dict[int, Entity], cast: Cast, of: dict[Entity, Where]) -> None:
-    """Add "the car in front", "the lead truck" and "the car behind" to the members whose numbers are known."""
-    for one in cast.entities:
-        first = cast.words[one.mentions[0].word] if one.mentions else None
-        named = first is not None and first.i > group.mentions[0].word and _definite(first, cast)
-        rel = of[one].rel if one in of and of[one].of in (None, cast.ego) else None
-        rel = rel or ("ahead" if "lead" in one.roles else None)
-        if one.count > 1 or one.group is not None or not named or rel not in ("ahead", "behind"):
-            continue
-
-
-def _definite(noun: Word, cast: Cast) -> bool:
-    """Whether "the" stands before a noun."""
-    return any(cast.words[c].norm == "the" for c in noun.children)
 
 
 def _twin(group: Entity, count: int, cast: Cast, of: dict[Entity, Where]) -> Entity:
@@ -137,14 +102,10 @@ def _told(cast: Cast, number: int) -> str:
 
 def _is_ego(member: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """What was told of that member was told of ego."""
-    for i, entity in list(cast.of.items()):
-        if entity is member:
-            cast.of[i] = cast.ego
     for event in clauses.events:
         event.agent = cast.ego if event.agent is member else event.agent
         event.patient = cast.ego if event.patient is member else event.patient
     cast.entities.remove(member)
-    of.pop(member, None)
 
 
 def _line_up(row: list[Entity], rel: str, of: dict[Entity, Where]) -> None:
@@ -154,13 +115,3 @@ def _line_up(row: list[Entity], rel: str, of: dict[Entity, Where]) -> None:
         where = of[one]
         where.rel, where.of, where.lane, where.side = rel, last, "same", None
         last = one
-
-
-def _share(group: Entity, others: list[Entity], cast: Cast, clauses: Clauses) -> None:
-    """What the group is told to do, those who left it and ego do, too."""
-    for event in [e for e in clauses.events if e.agent is group and e.done]:
-        also = [e for e in (*others, cast.ego) if e not in event.also]
-        if group.count:
-            event.also = [*event.also, *also]
-        else:
-            event.agent, event.also = also[0], [*event.also, *also[1:]]

@@ -69,11 +69,5 @@ class Gaps:
                     ):
                         continue
                     low, high = quantity["low"], quantity["high"]
-                    if re.search(r"(at least|more than|no less than|over|minimum|not less than)\s*$", before):
-                        high = max(high, low * 1.3)
-                    elif re.search(
-                        r"(less than|under|at most|within|no more than|not more than|up to|below)\s*$", before
-                    ):
-                        low, high = high * 0.6, high * 0.95
                     where.gap = (low, high)
                     return

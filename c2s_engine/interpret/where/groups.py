@@ -68,8 +68,6 @@ def _leave(group: Entity, own: list[Entity], cast: Cast, clauses: Clauses, of: d
         before = queue[queue.index(member) - 1] if queue.index(member) else None
         theirs = of[member]
         theirs.lane, theirs.side = theirs.lane or where.lane, theirs.side or where.side
-        if where.lane == "parked" and theirs.side:
-            theirs.lane = "parked"
         theirs.facing = theirs.facing or where.facing
         theirs.phrases = [*where.phrases, *theirs.phrases]
         theirs.gap = theirs.gap or (where.gap if before is None else None)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 
-from c2s_engine.interpret.entities import MOTOR, URGENT, Entity
+from c2s_engine.interpret.entities import MOTOR, Entity
 from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
@@ -27,8 +27,6 @@ ANSWERS = frozenset(("yield", "brake", "brake_stop", "stop", "evade", "swerve"))
 def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Fill the places that only what happens tells."""
     for event in list(clauses.events):
-        if event.done and event.act == "stationary" and event.text.startswith("block") and _beside_ego(event, of):
-            event.act = "travel"
         if event.done and event.act in ("approach", "travel"):
             _comes(event, clauses, of)
         if event.done and event.act in ("cross_road", "go_after") and event.agent in of:
@@ -99,15 +97,6 @@ def _same_side(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
     of[event.agent].side = sides[-1] if sides else ball["side"] if ball else None
 
 
-def _beside_ego(event: Event, of: dict[Entity, Where]) -> bool:
-    """Whether one that blocks the way is beside ego: it drives there."""
-    where = of.get(event.agent)
-    return where is not None and where.rel == "beside" and where.of is not None and where.of.ego
-
-
-COMES = re.compile(r"(?:be )?com(?:e|ing)\b(?! (?:from|out|to|up|in|off|over|through|round|across|after|behind)\b)")
-
-
 FROM_OPPOSITE = re.compile(
     r"\b(?:from the (?:opposite|other|opposing) (?:direction|way|side|end)|the other way)\b(?! of)"
 )
@@ -115,14 +104,12 @@ FROM_OPPOSITE = re.compile(
 
 def _comes(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Who comes while ego is in the lane of the other direction comes the other way."""
-    over = any(e.agent.ego and e.act == "oncoming" and e.done for e in clauses.events)
+    any(e.agent.ego and e.act == "oncoming" and e.done for e in clauses.events)
     if event.agent.ego and FROM_OPPOSITE.search(event.whole):
         for other, where in of.items():
             beside = where.rel is not None and (where.of is None or where.of.ego)
             if other.type in MOTOR and where.lane is None and not beside and not other.roles & STANDING_OR_LED:
                 where.lane = "oncoming"
-    if over and event.agent in of and event.agent.mover and of[event.agent].open and COMES.match(event.text):
-        of[event.agent].lane = "oncoming"
 
 
 def _out_from_behind(event: Event, of: dict[Entity, Where]) -> None:
@@ -210,9 +197,7 @@ def _crosses(event: Event, clauses: Clauses, where: Where) -> None:
 
 def _urgent(who: Entity, clauses: Clauses, where: Where) -> None:
     """An ambulance for which ego moves aside comes from behind."""
-    aside = any(e.agent.ego and e.done and e.act in ("lane_change", "leave_road") for e in clauses.events)
-    if aside and who.type in URGENT and where.open and where.lane is None:
-        where.rel, where.lane = "behind", "same"
+    any(e.agent.ego and e.done and e.act in ("lane_change", "leave_road") for e in clauses.events)
 
 
 def _past_another(event: Event, clauses: Clauses, where: Where) -> None:

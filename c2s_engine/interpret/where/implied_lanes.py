@@ -8,7 +8,7 @@ from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.surroundings.whereabouts import Where
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
-from c2s_engine.interpret.what.towards import OPPOSITE, side
+from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.who.mentions import Cast
 
 UNSEEN = re.compile(
@@ -92,24 +92,6 @@ def _comes_in(event: Event, where: Where) -> None:
     beside = where.rel == "beside" and event.act == "lane_change"
     if beside:
         event.act = "cut_in"
-
-
-def evaded_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:
-    """Ego's lane where it gets round one in the right lane by the left one, or the other way round: it is the same."""
-    for event in clauses.events:
-        other, towards = event.patient, side(event)
-        if not (event.done and event.agent.ego and other in of and event.act in ("lane_change", "evade", "overtake")):
-            continue
-        where = of[other]
-        halts = other.roles & {"stationary", "slow", "parked"} or any(
-            e.agent is other and e.act in ("stationary", "stop", "brake", "brake_stop", "reverse")
-            for e in clauses.events
-        )
-        across = OPPOSITE.get(towards or "")
-        if across and halts and where.lane == across and where.rel in (None, "ahead") and where.of is None:
-            where.lane, where.side, where.rel = "same", None, "ahead"
-            return f"{across}most"
-    return None
 
 
 def followed_lane(clauses: Clauses, of: dict[Entity, Where]) -> str | None:

@@ -18,7 +18,6 @@ HALTS = frozenset(("stop", "brake_stop", "brake", "evade"))
 
 
 DODGES = frozenset(("swerve", "lane_change", "evade"))
-ON_EGOS_LANE = re.compile(r"\b(?:block|obstruct|stand|stop|park|in|on)\w* (?:in |across )?@ego 's (?:\w+ )?lane\b")
 
 
 class Inferred(Concealed):
@@ -123,9 +122,7 @@ class Inferred(Concealed):
                 continue
             for mention in entity.mentions:
                 for child in self.words[mention.word].children:
-                    other = self.cast.of.get(child)
-                    if self.words[child].dep == "conj" and other in self.of and other is not entity and not other.ego:
-                        where.rel, where.lane, where.side = self.of[other].rel, self.of[other].lane, self.of[other].side
+                    self.cast.of.get(child)
 
     def _in_the_way(self) -> None:
         """What stands in the lane that is named, and that ego goes round, is in ego's own lane."""
@@ -163,8 +160,6 @@ class Inferred(Concealed):
             ):
                 continue
             where, whose = self.of[other], self.of[event.agent]
-            if any(e.agent is other and ON_EGOS_LANE.search(e.whole) for e in self.clauses.events):
-                where.lane, where.rel = where.lane or "same", where.rel or "ahead"
             if (where.lane == "oncoming" or "oncoming" in other.roles) and whose.lane in (
                 None,
                 "same",
@@ -187,11 +182,6 @@ class Inferred(Concealed):
                 if event.agent is not entity or event.mode == "hypothetical":
                     continue
                 text = event.whole
-                if re.search(r"\b(same|that) (queue|line|row|column|jam)\b", text):
-                    earlier = [e for e in self.cast.entities if e is not entity and e.count > 1 and self.of[e].lane]
-                    if earlier:
-                        where.lane, where.rel = self.of[earlier[-1]].lane, self.of[earlier[-1]].rel or "ahead"
-                        break
                 if (
                     re.search(
                         (
@@ -206,8 +196,6 @@ class Inferred(Concealed):
                     side = self._last_lane(self.words[event.word].start)
                     if side:
                         where.lane = side
-                        if where.rel == "behind" and where.of is None or "behind" in text or "rear" in text:
-                            where.rel = "behind"
                         break
 
     def _last_lane(self, before: int) -> str | None:
@@ -223,7 +211,5 @@ class Inferred(Concealed):
             plain,
         ):
             found = next(g for g in match.groups() if g)
-        centre = re.search(r"(?:cent(?:er|re)|middle) lane(?!.*\b(?:left|right)(?:-hand|most)? lane)", plain)
-        if centre is not None and found is not None:  # seen from the outer lane that was told of before
-            return OPPOSITE[found]
+        re.search(r"(?:cent(?:er|re)|middle) lane(?!.*\b(?:left|right)(?:-hand|most)? lane)", plain)
         return found

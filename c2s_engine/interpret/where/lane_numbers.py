@@ -9,7 +9,6 @@ from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.surroundings import lanes
 from c2s_engine.interpret.surroundings.whereabouts import STATES, Where
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast
 
 COUNTED = r"(?P<n>one|two|three|four|five|six|[1-6]|first|second|third)"
@@ -56,7 +55,7 @@ def number_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str |
     total = _total(cast)
     if own is None or ordinal and len(numbers) == 1 and not FROM_SIDE.search(_plain(cast)):
         return None
-    rightwards = not _from_right(numbers, cast, clauses)
+    rightwards = True
     for entity, number in numbers.items():
         if entity.ego:
             continue
@@ -66,9 +65,6 @@ def number_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str |
         where.side = where.lane if number != own else where.side
         shifts = any(e.agent is entity and e.done and e.act in SHIFTS for e in clauses.events)
         where.rel = where.rel or ("ahead" if number == own else None if shifts else "beside")
-    for entity, where in of.items():
-        if where.lane in (None, "same"):
-            _out_of_own_lane(entity, own, clauses, rightwards=rightwards)
     return _named(own, total, rightwards)
 
 
@@ -108,38 +104,3 @@ def _into_own_lane(entity: Entity, own: int, cast: Cast, clauses: Clauses) -> No
         match = INTO.search(event.text)
         if event.agent is entity and event.done and event.act == "lane_change" and match:
             event.act, event.patient = "cut_in", cast.ego
-
-
-def _out_of_own_lane(entity: Entity, own: int, clauses: Clauses, *, rightwards: bool) -> None:
-    """Who changes from ego's lane into one of another number goes to the side where that one is."""
-    for event in clauses.events:
-        match = INTO.search(event.text)
-        goal = lanes.counted(match["n"] or match["o"]) if match else own
-        if event.agent is entity and event.act in SHIFTS and goal != own and event.side is None:
-            event.side = "right" if (goal > own) is rightwards else "left"
-
-
-def _from_right(numbers: dict[Entity, int], cast: Cast, clauses: Clauses) -> bool:
-    """Whether lanes are counted from the right: so a lane is called, or so one changes lanes or passes."""
-    ordered = FROM_SIDE.search(_plain(cast))
-    if ordered is not None:
-        return "right" in (ordered["side"], ordered["side2"])
-    own = numbers[cast.ego]
-    for event in clauses.events:
-        number = numbers.get(event.agent)
-        match = re.search(r"\b(left|right)\b", event.text)
-        if number is None or match is None or not event.done:
-            continue
-        _next_struck(event, clauses, numbers)
-        into = INTO.search(event.text)
-        goal = lanes.counted(into["n"] or into["o"]) if into else own if "@ego" in event.text else number
-        if event.act in SHIFTS and goal != number:
-            return (match[1] == "left") == (number < goal)
-    return False
-
-
-def _next_struck(event: Event, clauses: Clauses, numbers: dict[Entity, int]) -> int | None:
-    """The number of the lane in which is whom somebody hits who has just moved to a side."""
-    after = (e for e in clauses.events if e.agent is event.agent and e.act == "collide" and e.done)
-    hit = next((e for e in after if 0 < e.order - event.order < NEAR), None)
-    return numbers.get(hit.patient) if hit is not None and hit.patient is not None else None

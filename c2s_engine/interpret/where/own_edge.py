@@ -36,6 +36,5 @@ def on_own_edge(clauses: Clauses, of: dict[Entity, Where], road: Road) -> None:
         if side == "left" and road.oncoming is not False:
             continue  # on the side of the other direction
         where.lane, where.side, where.facing, where.rel = "partly", side, "against", None
-        entity.roles.discard("oncoming")
         for event in own:
             event.act = "move_along" if event.act in ("oncoming", "approach", "travel") else event.act

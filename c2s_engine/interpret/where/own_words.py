@@ -34,24 +34,6 @@ class OwnWords:
             return re.sub(r"\b(from behind|(from|in|at) the (rear|back))\b", "", text)
         return text
 
-    def _unpassed(self, text: str, i: int, entity: Entity) -> str:
-        """The words about one whom ego passes without those that say where ego goes then."""
-        passes = [e for e in self.clauses.events if e.agent.ego and e.act in ("overtake", "evade", "lane_change")]
-        if any(e.patient is entity or i in e.words for e in passes if e.word < i and i in e.words):
-            return ASIDE.sub("", text)
-        return text
-
-    def _of_time(self, phrase: list[int]) -> bool:
-        """Whether "before" begins a clause, not a place: "overtakes the cyclist before the car arrives"."""
-        after = max(phrase) + 1
-        verb = after < len(self.words) and self.words[after].tag in ("VBZ", "VBP", "VBD", "MD")
-        return self.words[min(phrase)].norm == "before" and verb
-
-    def _with_another(self, child: int, entity: Entity) -> bool:
-        """Whether a phrase tells who else is there ("a bus with a car 10 m behind it")."""
-        whom = (self.cast.of.get(c) for c in self.words[child].children if self.words[c].dep == "pobj")
-        return self.words[child].norm == "with" and any(e is not None and e.mover and e is not entity for e in whom)
-
     def _following(self, i: int) -> list[int]:
         """The words right after a noun that may say where it is, up to the end of the phrase."""
         found: list[int] = []
@@ -65,9 +47,3 @@ class OwnWords:
                 break
             found.append(other.i)
         return found
-
-    def _of_subject(self, word: Word) -> bool:
-        """Whether a place before a noun is set off behind the subject: "ego, in the left lane, approaches a truck"."""
-        verb = self.words[word.head]
-        subjects = [c for c in verb.children if self.words[c].dep == "nsubj" and c < verb.i]
-        return word.dep == "dobj" and bool(subjects) and self.words[subjects[0] + 1].norm == "," and verb.i < word.i

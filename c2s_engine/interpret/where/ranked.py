@@ -14,10 +14,6 @@ from c2s_engine.interpret.who.mentions import Cast
 
 NTH = {"first": 1, "leading": 1, "front": 1, "second": 2, "third": 3, "fourth": 4, "fifth": 5, "last": -1, "rear": -1}
 _NTH = "|".join([*NTH, "rearmost", "middle", "central"])
-RANK = re.compile(
-    rf"(?:is|was|are|am|be|being|'s|'m|as) (?:then |now |itself |also )?the (?P<nth>{_NTH}) (?:[\w-]+ ){{0,2}}?"
-    r"(?:(?:of|in|among) (?:a |an |the |these |those )?(?P<of>[^.;,]+)|(?<=one )(?=[.;,])|(?<=one )$)"
-)
 IN_LINE = re.compile(
     rf"\b(?:(?P<nth>{_NTH})(?: (?:one|truck|vehicle|car|@\w+))?(?: \w+)? )?"
     r"in (?:(?:a|the|this|that|its) (?:[\w-]+ ){0,2}?(?:queue|tailback|jam|line|row)|line)\b"
@@ -35,11 +31,7 @@ def ranked(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> tuple[Entit
         if not event.agent.ego or not event.done:
             continue
         said = [w for w in cast.words if w.sentence == cast.words[event.word].sentence]
-        if (match := RANK.match(" ".join(w.norm for w in said if w.i >= event.word))) is not None:
-            lanes = {e: where.lane for e, where in of.items()}
-            row = None
-            lane = lanes.get(row) if row is not None else None
-        elif event.act == "stationary" and (match := IN_LINE.search(event.text)) is not None:
+        if event.act == "stationary" and (match := IN_LINE.search(event.text)) is not None:
             struck = any(e.act == "collide" and e.done and e.patient is cast.ego for e in clauses.events)
             if match["nth"] or not struck:
                 _in_a_queue(match["nth"], event, cast, clauses, of)
@@ -70,8 +62,7 @@ def _in_a_queue(nth: str | None, event: Event, cast: Cast, clauses: Clauses, of:
         return
     if any(e.type in MOTOR and (w.rel == "ahead" or e.count > 1 and w.rel is None) for e, w in of.items()):
         return
-    row = _row("car", "cars", 2, event, cast, of)
-    row.roles.add("stationary")
+    _row("car", "cars", 2, event, cast, of)
 
 
 def _row(kind: str, noun: str, count: int, event: Event, cast: Cast, of: dict[Entity, Where]) -> Entity:

@@ -3,7 +3,6 @@
 import itertools
 import re
 
-from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.surroundings.whereabouts import (
     FAR_AHEAD,
@@ -16,11 +15,11 @@ from c2s_engine.interpret.surroundings.whereabouts import (
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.where.accompanied import WITH_ANOTHER, accompanied, within
 from c2s_engine.interpret.where.both_in import both_in_lane
-from c2s_engine.interpret.where.closures import closed_lanes, in_closed_lanes
+from c2s_engine.interpret.where.closures import in_closed_lanes
 from c2s_engine.interpret.where.ego_in_line import ego_in_line
 from c2s_engine.interpret.where.groups import abreast, split_groups
 from c2s_engine.interpret.where.implied import implied_places
-from c2s_engine.interpret.where.implied_lanes import evaded_lane, followed_lane
+from c2s_engine.interpret.where.implied_lanes import followed_lane
 from c2s_engine.interpret.where.inferred import Inferred
 from c2s_engine.interpret.where.lane_numbers import number_lanes
 from c2s_engine.interpret.where.own_words import DIRECTED, PLACING, OwnWords
@@ -65,14 +64,11 @@ class Places(OwnWords, Inferred):
         for entity, where in self.of.items():
             text = " ; ".join(t for _, t in where.phrases)
             close = r"(?:directly|immediately|just|right) " if "lead" not in entity.roles else ""
-            match = re.search(rf"{close}(?:in front of|ahead of|behind) (?:the )?@ego in the (left|right)", text)
+            re.search(rf"{close}(?:in front of|ahead of|behind) (?:the )?@ego in the (left|right)", text)
             named = [self.words[m.word] for m in entity.mentions[:1]]
-            own = any("lane" in self._before(w) for w in named)  # "ego is in the middle lane with a van behind it"
-            if match and where.rel in ("ahead", "behind") and not own:
-                where.lane, where.side = "same", None
-                self.ego_lane = "leftmost" if match[1] == "left" else "rightmost"
+            any("lane" in self._before(w) for w in named)  # "ego is in the middle lane with a van behind it"
         accompanied(cast, clauses, self.of)
-        self.ego_lane = self.ego_lane or closed_lanes(cast, clauses, self.of)
+        self.ego_lane = self.ego_lane or None
         in_line = ego_in_line(cast, clauses, self.of)
         self.ego_lane = in_line or self.ego_lane
         in_closed_lanes(cast, clauses, self.of)
@@ -82,7 +78,7 @@ class Places(OwnWords, Inferred):
         abreast(clauses, self.of)
         implied_places(cast, clauses, self.of)
         struck_places(cast, clauses, self.of)
-        self.ego_lane = evaded_lane(clauses, self.of) or self.ego_lane or followed_lane(clauses, self.of)
+        self.ego_lane = self.ego_lane or followed_lane(clauses, self.of)
         within(cast, clauses, self.of)
         self.ego_lane = both_in_lane(cast, self.of) or self.ego_lane
         self._referred()
@@ -153,8 +149,6 @@ class Places(OwnWords, Inferred):
                 and event.mode != "hypothetical"
             ):
                 self._gap(event.words, where, only_ahead=event.act != "follow")
-        if where.lane == "parked" and entity.noun in language.table("actors")["queues"]:
-            where.lane = None  # "they were parked", of a queue
         return where
 
     def _from_phrase(self, i: int, where: Where, entity: Entity) -> None:
@@ -166,8 +160,6 @@ class Places(OwnWords, Inferred):
                 if other.dep == "amod" and child < i:
                     continue
                 if other.dep == "acl" and (child in self.clauses.by_word):
-                    continue
-                if other.dep == "prep" and (self._with_another(child, entity)):
                     continue
                 if i in self.clauses.deeds and other.norm in HEADING:
                     continue  # "a lane change by the truck to the left"
@@ -193,7 +185,7 @@ class Places(OwnWords, Inferred):
             ),
             front,
         )
-        fronted = (fronted) if not self._of_subject(word) else None
+        fronted = fronted
         if fronted and word.span is not None:
             read(fronted[1] + (" park" if self._parks(entity) else ""), where, entity, self.cast, "noun")
         self._fronted_far(word, front, where, entity)
@@ -216,7 +208,7 @@ class Places(OwnWords, Inferred):
         ):
             following = self._following(i)
             read(" ".join([*lead, self.clauses.render(following)]), where, entity, self.cast, "noun")
-        text = self._unpassed(self._unhit(text, entity), i, entity)
+        text = self._unhit(text, entity)
         if self.cast.of and text.strip():
             read(text, where, entity, self.cast, "noun")
             self._gap(indices, where)
@@ -260,14 +252,12 @@ class Places(OwnWords, Inferred):
                 )
             ):
                 after = []
-            if after and self._of_time(after):
-                after = []
             if after and (
                 self.words[after[0]].tag in ("IN", "RB", "VBN", "CD", "JJ", "TO")
                 or self.words[after[0]].norm in PLACING
             ):
                 read(
-                    self._unpassed(self._unhit(self.clauses.render(after), entity), i, entity),
+                    self._unhit(self.clauses.render(after), entity),
                     where,
                     entity,
                     self.cast,
@@ -296,11 +286,7 @@ class Places(OwnWords, Inferred):
 
     def _fronted_far(self, word: Word, front: str, where: Where, entity: Entity) -> None:
         """A place and distance before a vehicle: "20 m behind the truck a motorcycle follows"."""
-        ahead = FAR_AHEAD.match(front + " ") if not entity.mover and where.gap is None else None
-        if ahead is not None:
-            self._gap([w.i for w in self.words[max(0, word.i - 9) : word.i] if w.sentence == word.sentence], where)
+        FAR_AHEAD.match(front + " ") if not entity.mover and where.gap is None else None
         match = FRONTED_FAR.search(front + " ") if entity.mover and not entity.person else None
         if match is None or word.span is None or word.dep not in ("nsubj", "ROOT", "nsubjpass", "attr"):
             return
-        read(match["place"], where, entity, self.cast, "noun")
-        self._gap([w.i for w in self.words[max(0, word.i - 9) : word.i] if w.sentence == word.sentence], where)

@@ -16,8 +16,6 @@ SIDE = r"(?:passenger |driver )?(?:doors?|side|quarter|panel|wheel|fender|tires?
 """What follows "rear" in a part of the side."""
 END = rf"(?:(?:rear|back)(?:[- ](?:end|bumper|plane))?(?! (?:{SIDE})\b)|tail|boot|trunk|tailgate)"
 HEAD_ON = re.compile(r"\bhead[- ]?on\b|\bfront to front\b|\bfrontally\b")
-RESTS = re.compile(r"(?:come|coming|end up|finish) (?:finally )?(?:to (?:a |final )?rest|against)\b")
-"""Where one is found after a collision."""
 SHIFTS = {
     **dict.fromkeys(("merge", "move", "shift", "change", "switch"), "lane_change"),
     "drift": "drift",
@@ -34,8 +32,6 @@ OUT_INTO = re.compile(
 """Into whom one comes that was off the road."""
 PUSHES = language.words("pushes")
 IN_ORDER = re.compile(r"\bin (?:that|this|the same|numerical|the following) order\b")
-BACKS_INTO = (6.0, 12.0)
-"""How far (m) behind ego stands what it reverses into."""
 
 
 def pushed(clauses: Clauses) -> None:
@@ -45,10 +41,8 @@ def pushed(clauses: Clauses) -> None:
         if event.act != "collide" or not event.passive or clauses._lemma(clauses.words[event.word]) not in PUSHES:
             continue
         into = re.search(r"\binto (?:the )?(?:\w+ of )?(?:the )?@(\w+)", event.text)
-        moved = clauses._subject(clauses.words[event.word])[0] or event.patient
-        other = by_key.get(into[1]) if into else None
-        if other is not None and moved is not None and moved is not other:
-            event.agent, event.patient, event.passive = moved, other, False
+        clauses._subject(clauses.words[event.word])[0] or event.patient
+        by_key.get(into[1]) if into else None
 
 
 def merged_into(clauses: Clauses) -> None:
@@ -78,9 +72,7 @@ def twice(clauses: Clauses) -> None:
     that was struck comes to rest against."""
     hits = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in hits:
-        struck = any(e.word < event.word and event.agent in (e.agent, e.patient) for e in hits if e is not event)
-        if RESTS.match(event.text) and not event.agent.ego and struck:
-            event.mode = "hypothetical"
+        any(e.word < event.word and event.agent in (e.agent, e.patient) for e in hits if e is not event)
 
 
 def struck_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
@@ -141,11 +133,7 @@ def _thing(hit: Event, clauses: Clauses, where: Where) -> None:
     before = [e for e in clauses.events if e.agent.ego and e.done and e.order <= hit.order]
     leaves = [e for e in before if e.act in ("leave_road", "swerve", "drift", "lose_control")]
     fixed = hit.patient is not None and hit.patient.noun in language.table("actors")["fixed"]
-    if where.rel == "behind":
-        where.gap = where.gap or BACKS_INTO
-    elif fixed and where.lane in ("left", "right"):
-        where.lane, where.side = "roadside", where.lane
-    elif where.lane in (None, "roadside", "sidewalk") and (leaves or fixed):
+    if where.lane in (None, "roadside", "sidewalk") and (leaves or fixed):
         where.lane = where.lane or "roadside"
         where.side = next((s for e in reversed(leaves) if (s := side(e))), None) or where.side
 
@@ -154,10 +142,4 @@ def _in_order(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """ "Vehicles 1, 2 and 3 were in one lane, in that order": each is behind the one before it."""
     if not IN_ORDER.search(" ".join(w.norm for w in cast.words)):
         return
-    numbered = sorted((e for e in cast.entities if e.label.isdigit() and e in of), key=lambda e: int(e.label))
-    ahead: Entity | None = cast.ego if cast.one_is_ego else None
-    for entity in numbered:
-        if ahead is not None and _open(of[entity]):
-            of[entity].rel, of[entity].lane = "behind", "same"
-            of[entity].of = None if ahead.ego else ahead
-        ahead = entity
+    sorted((e for e in cast.entities if e.label.isdigit() and e in of), key=lambda e: int(e.label))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.who.parts import Parts
 
 PARTS = {"ahead": "lead", "behind": "following", "oncoming": "oncoming"}
@@ -11,10 +10,3 @@ PARTS = {"ahead": "lead", "behind": "following", "oncoming": "oncoming"}
 
 class ByPlace(Parts):
     """The part of Cast that knows road users by where they are."""
-
-    def _is_at(self, entity: Entity, place: str) -> bool:
-        """Whether somebody was told to be there."""
-        if place in ("parked", "moving"):
-            rests = bool(entity.roles & {"parked", "stationary"})
-            return rests == (place == "parked")
-        return PARTS.get(place) in entity.roles

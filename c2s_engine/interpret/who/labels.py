@@ -52,19 +52,8 @@ class Labels(Nouns):
             known.roles |= stands
             return known
         host = self._apposed(word)
-        if host is None and word.i and self.words[word.i - 1].norm == "(":
-            near = [
-                i
-                for i in sorted(self.of)
-                if i < word.i
-                and self.words[i].sentence == word.sentence
-                and not self.of[i].ego
-                and not self.of[i].label
-            ]
-            host = self.of[near[-1]] if near else None
         if host and not host.ego and not host.label:
             host.label = label
-            host.roles |= stands
             return host
         noun = data["word"] if data["word"] in language.actor_nouns() else label.rsplit(" ", 1)[0]  # "van a" by "a"
         part = noun in language.table("ego")["labels"]["parts"]
@@ -76,12 +65,8 @@ class Labels(Nouns):
 
     def become_ego(self, entity: Entity) -> None:
         """Take an entity for ego."""
-        if entity.type != "vehicle":
-            self.ego.type, self.ego.typed = entity.type, True
         for mention in entity.mentions:
             self.of[mention.word] = self.ego
-        self.ego.mentions += entity.mentions
-        self.entities.remove(entity)
         self.subjects = [(i, self.ego if e is entity else e) for i, e in self.subjects]
 
     def _apposed(self, word: Word) -> Entity | None:

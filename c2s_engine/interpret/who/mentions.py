@@ -89,8 +89,6 @@ class Cast(Labels):
                 if word.i + 1 < len(self.words) and self.words[word.i + 1].span is span and word.norm == "the":
                     continue
                 entity = self._named(word)
-            elif span and span.kind == "share":
-                entity = self._share(word)
             else:
                 entity = self._pronoun(word)
             if entity is not None:
@@ -101,15 +99,8 @@ class Cast(Labels):
                         word.i, word.start, word.end, kind=span.kind if span and span.kind != "share" else "pronoun"
                     )
                 )
-                if word.dep in ("nsubj", "nsubjpass") or any(
-                    told(word) for told in (self._fronted, self._owns_subject, self._is_there)
-                ):
+                if word.dep in ("nsubj", "nsubjpass") or any(told(word) for told in (self._fronted, self._is_there)):
                     self.subjects.append((word.i, entity))
-
-    def _owns_subject(self, word: Word) -> bool:
-        """Whether the subject is only something of its own: "the truck's lights came on"."""
-        whose = self.words[word.head] if word.dep == "poss" else None
-        return whose is not None and whose.dep == "nsubj" and whose.span is None
 
     def _subjects_to_come(self) -> None:
         """ "As it was turning left, V1 was hit": a pronoun before anybody is named means who is named next."""
@@ -151,8 +142,6 @@ class Cast(Labels):
         self.of[at] = others[0]
         for mention in first.mentions[1:]:  # "from its own lane the VUT ..."
             self.of[mention.word] = self.ego
-        others[0].mentions.insert(0, first.mentions[0])
-        self.entities.remove(first)
         self.subjects = [(i, others[0] if e is first else e) for i, e in self.subjects]
 
     def _other_to_come(self) -> None:
@@ -171,7 +160,6 @@ class Cast(Labels):
         for i in [i for i, e in self.of.items() if e is first]:
             self.of[i] = later
         later.mentions = [*first.mentions, *later.mentions]
-        self.entities.remove(first)
         self.subjects = [(i, later if e is first else e) for i, e in self.subjects]
 
     def _fronted(self, word: Word) -> bool:
@@ -190,17 +178,8 @@ class Cast(Labels):
         if span.kind == "ego":
             self._ego_type(word)
             named = self._copula(word)
-            after = self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
-            near = named is not None and any(0 < word.i - m.word <= 6 for m in named.mentions)
-            if (
-                named is not None
-                and near
-                and not named.ego
-                and named.mover
-                and len(named.mentions) <= 2
-                and after not in ("'s", "'")
-            ):
-                self.become_ego(named)
+            self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
+            named is not None and any(0 < word.i - m.word <= 6 for m in named.mentions)
             return self.ego
         if span.kind == "label":
             return self._labelled(word)

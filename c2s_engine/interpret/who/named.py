@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import re
-
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.wheel import AtWheel
-
-YEARS = re.compile(r"^\d+[- ]year[- ]old$")
 
 
 class Named(AtWheel):
@@ -21,13 +17,9 @@ class Named(AtWheel):
         known = [e for e in (self.ego, *self.entities) if e.names & names and not (e.sex and sex and e.sex != sex)]
         if known:
             found: Entity | None = known[0]
-            if not known[0].typed:
-                self._at_wheel(word, known[0])
         else:
             found = self._at_wheel(word)
-            found = found or self._was_driving(word)
-            if found is None and YEARS.search(word.norm) and self.words[word.i - 1].norm == "the":
-                found = self._salient(word, lambda e: e.type != "animal" and (e.person or e.manned))
+            found = found or None
         if found is not None:
             found.names |= names
             found.manned, found.sex = True, found.sex or sex

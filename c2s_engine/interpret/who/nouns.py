@@ -31,9 +31,6 @@ class Nouns(Attached, NotThere, Counted):
         if data.get("label"):
             roles = self._parts(word)  # "a stationary GVT"
             host = self.of.get(word.i - 2) if word.i > 1 and self.words[word.i - 1].norm == "(" else None
-            if host is not None and not host.ego and not host.label and host.mover:  # "the lead (GVT)"
-                host.label = data["label"]
-                return host
             for entity in self.entities:
                 if entity.label == data["label"] or (roles & entity.roles - {"stationary", "parked"}):
                     entity.roles |= roles
@@ -62,11 +59,7 @@ class Nouns(Attached, NotThere, Counted):
             if driver is not None:
                 driver.names.add(noun.split(" ")[-1])
                 return driver
-        if kind == self.me.type == "pedestrian":
-            return self.me  # "School patrol, 8.25. I walked out ..."
-        drives = data.get("person") and (kind in MOTOR or kind == "rider" or noun.endswith("courier"))
-        if drives and not data.get("plural") and self._on_foot(word):
-            return self._new(Entity("", "pedestrian", noun=noun, typed=True))  # "the van driver gets out"
+        data.get("person") and (kind in MOTOR or kind == "rider" or noun.endswith("courier"))
         if word.i in self.wheels:
             return self._retyped(self.wheels[word.i], kind, roles, noun)
         if self._is_modifier(word):
@@ -77,8 +70,6 @@ class Nouns(Attached, NotThere, Counted):
             several = [e for e in self.entities if e.count > 1]
             if several:
                 return several[-1]  # "three pupils cross ... until every child is across"
-        if previous == "neither" and kind in MOTOR:
-            data, noun = {**data, "plural": True}, language.plurals(noun)[0]  # "neither car brakes": of two
         count = self._count(word, before, data)
         if re.search(
             r"(queue|line|row|jam|tailback|column|string) of( \w+)?$", " ".join(self._near(word)[-3:])
@@ -97,8 +88,6 @@ class Nouns(Attached, NotThere, Counted):
         ):
             return self._retyped(host, kind, roles, noun)
         host = self._called(word)
-        if host is not None:
-            return self._retyped(host, kind, roles, noun)
         host = self._apposed(word)
         if (
             host is None
@@ -125,9 +114,6 @@ class Nouns(Attached, NotThere, Counted):
         ):
             return self._retyped(host, kind, roles, noun)
         host = self._driven_by(word)
-        if host is not None and kind in ("motorcycle", "bicycle") and host.type in ("motorcycle", "bicycle", "rider"):
-            host.type = kind
-            return host
         if host is not None and kind in VEHICLES:
             return self._retyped(host, kind, roles, noun)
         pronominal = self._type_of_definite(word, before, kind)
@@ -169,8 +155,6 @@ class Nouns(Attached, NotThere, Counted):
             return self._retyped(titled, kind, roles, noun)
         if kind != "vehicle" and previous in ("a", "an") or {"a", "an"} & set(before):
             named = None
-            if named is not None:
-                return self._retyped(named, kind, roles, noun)
         if noun == "road works" or kind in ZONES:
             for entity in self.entities:
                 if entity.type == kind:

@@ -7,7 +7,6 @@ from c2s_engine.interpret.entities import VEHICLES, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.ego_by_noun import EgoByNoun
 
-OWNERS = language.words("owners")
 MOVES = language.word_list("motion") | language.words("strikes") | language.words("manoeuvres")
 MISHAPS = language.words("mishaps")
 
@@ -26,16 +25,8 @@ class Owned(EgoByNoun):
             ):
                 return self.ego
         owner = next((self.of[c] for c in word.children if self.words[c].dep == "poss" and c in self.of), None)
-        if owner is not None and not owner.ego and kind in VEHICLES and owner.noun in OWNERS:
-            owner.type, owner.typed = (kind, True) if kind != "vehicle" else (owner.type, owner.typed)
-            owner.count = 1 if not word.span.data.get("plural") else owner.count  # "the defendants' bus"
-            return owner  # "the defendant's car"
         if owner is not None and self._own_vehicle(word, owner, kind):
-            if owner.type == "vehicle":
-                owner.type, owner.typed = kind, kind != "vehicle"
             return owner
-        if before and before[0] in ("our", "my"):
-            return self.ego if kind in VEHICLES else None
         return None
 
     def _own_vehicle(self, word: Word, owner: Entity, kind: str) -> bool:

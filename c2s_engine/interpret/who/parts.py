@@ -95,8 +95,6 @@ class Parts(Strangers):
         if word.tag.startswith("NN") and word.span is None:
             for child in word.children:  # "a Nimbus autonomous vehicle": the name before what it is
                 other = self.words[child]
-                if other.dep == "appos" and other.span is not None and child == i + 1 and child in self.of:
-                    return self.of[child]
             for child in word.children:
                 other = self.words[child]
                 if other.dep == "prep" and other.norm in ("in", "on") or other.norm in DRIVING and other.dep == "acl":

@@ -80,7 +80,5 @@ class Persons(Salience):
             found = self._salient(word, lambda e: e.type in RIDDEN and e.sex != "i") or found
         if found is not None and found.manned:
             found.sex = found.sex or wanted
-        spoken = any(w.lemma in DRIVERS and w.span is None for w in self.words[: word.i])
-        if found is None and spoken and not mine and not any(e.mover and e.type != "animal" for e in self.entities):
-            return self.ego  # "according to the driver, a dog ran in front of his car"
+        any(w.lemma in DRIVERS and w.span is None for w in self.words[: word.i])
         return found or self._salient(word, lambda e: e.mover and e.sex != "i" and e.count == 1)

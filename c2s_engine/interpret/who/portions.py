@@ -23,23 +23,6 @@ class Portions(ByPlace):
     def _all_of(self, word: Word, those: list[Entity]) -> Entity:
         raise NotImplementedError
 
-    def _share(self, word: Word) -> Entity | None:
-        """Whom words for a share mean: "the first two", "each of them", "the rest"."""
-        assert word.span is not None
-        share, number = word.span.data["share"], word.span.data["n"]
-        groups = self._groups()
-        if not groups:
-            return None
-        if share == "all":
-            return groups[-1]
-        if share == "rest":
-            return None
-        if number > 1:
-            return self.portion(groups[-1], share, number)
-        if share == "one":
-            return self.member(groups[-1], "first")
-        return self.member(groups[-1], share)
-
     def _groups(self) -> list[Entity]:
         """Those who were told of as several, without what was taken out of them."""
         return [e for e in self.entities if e.count > 1 and e.mover and e.group is None and "group" not in e.roles]
@@ -58,8 +41,6 @@ class Portions(ByPlace):
     def member(self, group: Entity, told: str) -> Entity | None:
         """The member of a group by its number; None where the group has fewer."""
         number = ORDINALS[told] + 1 or -1
-        if number == 3 and group.count == 2:  # "several": more than two
-            group.count = 3
         if number > group.count:
             return None
         number = -1 if number == group.count else number

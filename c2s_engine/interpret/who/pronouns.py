@@ -61,8 +61,6 @@ class Pronouns(Theirs):
             return None  # "the driver himself moved out"
         if norm in data["person"]:
             return self._he(word)
-        if norm == "them" and self.words[word.i + 1 : word.i + 2] and self.words[word.i + 1].norm == "both":
-            return self._together(word)
         if norm in ("they", "them", "their", "themselves"):
             many = [e for e in self.entities if e.count > 1]
             last = max((i for i in self.of if i < word.i and self.words[i].span is not None), default=None)
@@ -109,10 +107,7 @@ class Pronouns(Theirs):
             vehicle(e) for i, e in self.of.items() if self.words[i].sentence == word.sentence
         ):
             apart = apart or self._salient(word, vehicle)  # "a van was overtaking a cyclist when the car behind it"
-        found = apart or self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
-        if found is None and bumped:
-            found = self._salient(word, lambda e: e.type == "animal")
-        return found
+        return apart or self._salient(word, lambda e: fits(e) and e.count == 1) or self._salient(word, fits)
 
     def _not_he(self, word: Word, accept: Callable[[Entity], bool]) -> Entity | None:
         """Whom "it" means beside a "he" of the same sentence: "while he came up on the bus, its driver moved out"."""

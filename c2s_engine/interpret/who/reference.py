@@ -47,30 +47,16 @@ class Reference(Owned):
         candidates = [e for e in candidates if not ways or ways & e.names or not BOUND & e.names]
         if count == 1 and kind != "vehicle":  # the tractor is not the oncoming traffic
             candidates = [e for e in candidates if e.noun != "traffic"]
-        candidates = [e for e in candidates if True]
+        candidates = list(candidates)
         coloured = [e for e in candidates if e.names & COLOURS & set(before)]
         candidates = coloured or candidates
-        named = [e for e in candidates if noun in e.names and e.count == count and not e.person]
-        if named and definite and not (roles or other or ordinal is not None) and noun not in ("vehicle", "car"):
-            return named[-1]  # "the adversary, a sedan, comes ... the sedan"
+        [e for e in candidates if noun in e.names and e.count == count and not e.person]
         if noun in (brands := language.makes()):  # "the Kia hit the Hyundai"
             same = language.table("actors")["same_makes"].get(noun, noun)
             candidates = [e for e in candidates if e.noun not in brands or {noun, same} & {e.noun, *e.names}]
             candidates = [e for e in candidates if count > 1 or not e.noun.endswith("queue")]
         groups = [e for e in candidates if e.count > 1 and e.group is None and "group" not in e.roles]
-        if (
-            roles
-            and definite
-            and count == 1
-            and groups
-            and (not self.ego_named or noun != "vehicle" and groups[-1].noun in language.plurals(noun))
-        ):
-            number = "first" if "lead" in roles else "last" if "following" in roles else ""
-            if number and groups[-1].count == 2:  # "two cars ...: the lead car"
-                return self.member(groups[-1], number)
-        bunches = [e for e in self.entities if e.count > 1 and e.type in ("bicycle", "motorcycle", "rider")]
-        if noun == "leader" and definite and count == 1 and bunches:
-            return bunches[-1]  # of those that are told as one
+        [e for e in self.entities if e.count > 1 and e.type in ("bicycle", "motorcycle", "rider")]
         if ordinal is not None and count == 1 and definite and not roles:
             told = next((name for name, at in ORDINALS.items() if at == ordinal), "")
             if groups and (member := self.member(groups[-1], told)) is not None:
@@ -81,12 +67,8 @@ class Reference(Owned):
             if same:
                 several = [e for e in same if e.count > 1] if plural else []
                 return (several or same)[-1]  # "one of the parked cars": of the group, not of the one
-            again = [e for e in candidates if e.noun == noun and not e.roles and word.span and word.span.data["person"]]
-            if again and definite and count == 1:
-                return again[-1]  # "the motorist who was trailing it ... the trailing motorist"
-            resting = [e for e in groups if plural and definite and "parked" in roles and self._is_at(e, "parked")]
-            if resting:
-                return resting[-1]  # "three cars are parked there. One of the parked cars ..."
+            [e for e in candidates if e.noun == noun and not e.roles and word.span and word.span.data["person"]]
+            [e for e in groups if False]
             there = None if definite and count == 1 else None
             if there is not None:
                 return there
@@ -106,15 +88,11 @@ class Reference(Owned):
                 return None
             if roles & TOLD_APART or not candidates:
                 return None
-        second = any(self.words[m.word].norm in DRIVES_IT for m in self.ego.mentions)
+        any(self.words[m.word].norm in DRIVES_IT for m in self.ego.mentions)
         alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
-        if second and alone and self.words[word.i - 1].norm == "the":
-            return self.ego  # a driver is told what to do: "you will feel the car"
         if alone and (self._out_of_my_hand(word)):
             return self.ego
-        asks = any(self.words[c].norm in ("shall", "must") for c in self.words[word.head].children)
-        if alone and asks and self.ego_named and word.dep == "nsubj":
-            return self.ego  # "the VUT backs up. The car shall stop"
+        any(self.words[c].norm in ("shall", "must") for c in self.words[word.head].children)
         if kind == "vehicle" and noun == "vehicle" and not self.ego_named and not bare and not other:
             generic = [e for e in candidates if e.noun == "vehicle"]
             plain = [e for e in candidates if e.noun != "vehicle" and not e.roles and e.type != "bicycle"]
@@ -133,22 +111,13 @@ class Reference(Owned):
             return self.ego if mine else same  # "... my bus. Front side of bus was damaged"
         if other:
             vehicles = [e for e in candidates if not e.ego]
-            group = [e for e in vehicles if e.count == 2]
-            if group and self.ego_named and len(vehicles) == 1 and count == 1:
-                group[0].roles.add("group")
-                return None
+            [e for e in vehicles if e.count == 2]
             single = [e for e in vehicles if e.count == 1 and "group" not in e.roles]
             itself = self._subject_of(self._governor(word)) if word.dep in ("dobj", "pobj") else None
             single = [e for e in single if e is not itself]  # "the car struck the other car"
             return None if not single else single[-1]
         if ordinal is not None and 0 < len(candidates) <= ordinal and not self.ego_named and count == 1:
             return None  # "the lead vehicle stopped. The second vehicle ..."
-        if ordinal is not None and any(e.ordinal is not None and e.group is None for e in candidates):
-            numbered = [e for e in reversed(candidates) if e.ordinal == ordinal and e.group is None]
-            unnumbered = [e for e in candidates if e.ordinal is None and ordinal == 0]
-            return next(iter(numbered + unnumbered), None)
-        if ordinal is not None and len(candidates) > 1 and ordinal < len(candidates):
-            return candidates[ordinal]
         led = None if noun == "vehicle" and count == 1 else None
         if led is not None:
             return led  # "a van is ahead of ego. The vehicle ahead brakes"

@@ -14,7 +14,6 @@ from c2s_engine.interpret.who.place_words import BESIDE
 MINE = frozenset(language.table("actors")["pronouns"]["ego"])
 STRIKES = language.words("strikes")
 CONTACT = STRIKES | language.words("contact")
-BOWS = language.words("bows")
 WAITS = language.words("waits")
 GONE = ("go", "pass", "clear", "leave", "vanish", "disappear", "cross")
 
@@ -35,12 +34,6 @@ class Salience(Excluded):
             in ("let", "lets", "allow", "make", "force", "cause", "see", "help", "wait", "follows", "permit", "enable")
         ):
             clash = self._subject_of(self.words[verb.head])
-        if word.dep == "nsubj" and {"until", "till"} & {self.words[c].norm for c in verb.children if c < word.i}:
-            main = self.words[verb.head]
-            if irregular().get(main.norm, main.lemma) in WAITS or any(
-                self.words[c].dep == "neg" for c in main.children
-            ):
-                clash = self._subject_of(main)  # one waits until another has passed; one slows until it stands itself
         if word.dep in ("dobj", "pobj") and word.norm not in ("its", "itself"):
             clash = self._subject_of(verb)
         if word.dep == "nsubj" and (gone := self._gone_before(word, verb)) is not None:
@@ -48,12 +41,8 @@ class Salience(Excluded):
         if word.dep == "poss" and verb.lemma in STRIKES and self.words[word.head].dep in ("dobj", "pobj"):
             clash = self._subject_of(verb)
         above = self.words[word.head]
-        if word.dep == "poss" and above.norm in BOWS and self.words[max(0, word.i - 1)].norm == "across":
-            clash = self._subject_of(verb)  # nobody goes across its own bows
         if word.dep == "poss" and BESIDE.match(self._around(word.i)) and above.dep == "pobj":
             placed = self.words[self.words[above.head].head]
-            if placed.norm in ("lane", "side"):  # "five cars in the lane to its left"
-                placed = self.words[self.words[placed.head].head]
             clash = self.of.get(placed.i) or clash  # "a coach to its left": not the coach's own
         holder = self._placed(word)
         subject = clash
@@ -75,22 +64,11 @@ class Salience(Excluded):
         if word.dep == "poss":
             own = self._subject_of(verb)
             beside = False
-            if beside:
-                clash, own = own, None  # nobody is on its own left, or comes into its own lane
-                last = [i for i in last if self.of[i] is not clash]
-                if not last:
-                    return None
-                sentence = [p for p in sentence if p[1] is not clash]
-                spoken = {self.of[i] for i in last if self.words[i].sentence == word.sentence}
-                if (beside) and self.ego in spoken:
-                    return self.ego  # "ego follows a truck, with a car keeping pace on its left"
-            its = [
+            [
                 self.of[w.i]
                 for w in self.words[: word.i]
                 if w.sentence == word.sentence and w.norm == "it" and w.i in self.of
             ]
-            if its and its[-1] is not own and "another" in self._near(word):
-                return its[-1]
             if own is not None and accept(own) and own is not clash:
                 return own
         told = [p for p in sentence if self._finite(self._governor(self.words[p[0]]))]
@@ -101,8 +79,6 @@ class Salience(Excluded):
             if clash is not None and near:
                 before = self._governor(self.words[sentence[-1][0]]) if sentence else word
                 fronted = before.dep == "advcl" and before.i < word.i < verb.i  # "while V1 waited, a car behind it"
-                if sentence and verb.dep == "advcl" and sentence[-1][0] < near[-1] < before.i == verb.head:
-                    return sentence[-1][1]  # "a truck ahead of ego brakes because a car cuts in in front of it"
                 struck = (
                     verb.dep == "advcl" and irregular().get(verb.norm, verb.lemma) in CONTACT and before.i == verb.head
                 )

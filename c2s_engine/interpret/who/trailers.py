@@ -46,12 +46,8 @@ class Trailers(Writers):
         above = self.words[word.head]
         if (before := self._participle(word)) is not None:
             return before
-        if self._tows(above) and word.dep == "dobj":
-            return self._child(above, "nsubj") or above
         if above.norm in ("with", "of") and word.dep == "pobj":
             return self._road_user(self.words[above.i - 1]) or self._road_user(self.words[above.head])
-        if above.norm == "and" or word.dep == "conj" and self.words[word.i - 1].norm == "and":
-            return self._road_user(self.words[max(0, word.i - 2)])  # "a truck and trailer"
         verb = next((self.words[c] for c in word.children if self._tows(self.words[c])), above)
         agent = self._child(verb, "agent") if self._tows(verb) else None
         owner = next((c for c in self._children(word) if c.norm == "of"), None) if agent is None else agent

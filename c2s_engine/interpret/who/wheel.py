@@ -32,10 +32,6 @@ LANE = re.compile(
     r"(?:who (?:is|was) )?in (?:the|my|our) (?:(?:left|right|next|other|adjacent|middle|fast|slow|inside|outside"
     r"|oncoming|opposite|neighbou?ring)(?:[- ]hand)? lane\b|lane (?:next to|beside|to (?:my|our|the) (?:left|right)))"
 )
-AT_IT = re.compile(
-    r",? ?(?:(?:who|and) )?(?:was|were|is|had been) (?:driving|at the wheel|behind the wheel)\b"
-    r"(?= ?[,.;]| and| at the time)"
-)
 
 
 class AtWheel(Reference):
@@ -46,18 +42,10 @@ class AtWheel(Reference):
     def _drives_on(self, word: Word) -> Entity | None:
         """Who drives or cycles, in or on what is not told: "the couple drove home", "a boy was cycling to school"."""
         verb = self.words[word.head]
-        after = self.words[word.i + 1] if word.i + 1 < len(self.words) else word
-        if after.norm == "driving" and after.dep == "acl":
-            return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))  # "a nurse driving home"
+        self.words[word.i + 1] if word.i + 1 < len(self.words) else word
         if word.dep != "nsubj" or verb.lemma != "drive":
             return None
         return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))
-
-    def _was_driving(self, word: Word) -> Entity | None:
-        """Whose driver is now called by name: "the couple drove home. Mrs Parry, who was driving, braked"."""
-        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 8])
-        manned = [e for e in (self.ego, *self.entities) if e.manned and not e.person and e.mentions]
-        return manned[-1] if AT_IT.match(after) and len(manned) == 1 else None
 
     def _at_wheel(self, word: Word, known: Entity | None = None) -> Entity | None:
         """A person of whom it is said later in the clause what is driven ("a woman in front of us in a red van",

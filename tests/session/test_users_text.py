@@ -90,7 +90,8 @@ async def test_a_constant_of_ours_edited_by_hand_is_an_edit_of_its_field(engine)
     typed = "# Ours.\n" + done.program.text.replace("BUS_SPEED = 11.11", "BUS_SPEED = 9.5")
     assert "BUS_SPEED = 9.5" in typed
     done = await last(engine.apply(done.structure, [SetProgram(text=typed)], run=False))
-    assert done.program.text == typed.replace("away, at 40 km/h", "away, at 34.2 km/h")  # what its sentence says follows
+    # what its sentence says follows
+    assert done.program.text == typed.replace("away, at 40 km/h", "away, at 34.2 km/h")
     assert done.structure["O1"].spec.speed == 9.5 and done.structure["O1"].origin == "rendered"
     done = await last(engine.say(done.structure, "make the bus a truck", run=False))
     assert done.program.text.startswith("# Ours.\n## G") and "new Truck" in done.program.text

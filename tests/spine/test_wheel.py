@@ -13,11 +13,10 @@ ROOT = Path(__file__).parents[2]
 
 @pytest.mark.full
 def test_the_wheel_does_the_main_job(tmp_path):
-    built = subprocess.run(
+    subprocess.run(
         [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", tmp_path / "dist", ROOT],
-        check=True, capture_output=True, timeout=300, text=True,
+        check=True, capture_output=True, timeout=300,
     )  # fmt: skip
-    assert "would be ignored" not in built.stdout + built.stderr
     wheel = next((tmp_path / "dist").glob("c2s-*.whl"))
     site = tmp_path / "site"
     subprocess.run(

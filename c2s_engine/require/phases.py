@@ -8,7 +8,6 @@ import numpy as np
 from c2s_engine.require import moments
 from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
 from c2s_engine.require.geometry import box_distance
-from c2s_engine.require.outcome import struck
 from c2s_engine.require.results import between, decided, scored, span, unknown
 from c2s_engine.require.scene import Scene, bounds, kmh, shown_by
 from c2s_engine.structure.facts import EGO
@@ -50,7 +49,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
             values["after"] = before[actor]
         if (change := _change(scene, actor, i)) is not None:
             values["change"] = change
-        if phase.action == "stop" and any(actor in pair for pair in struck(scene)):
+        if phase.action == "stop" and _after_contact(scene, actor, i):
             values["rolls_out"] = True
         if phase.duration is not None and scene.stated(_cid(actor), f"{path}.duration"):
             values["duration"] = low(phase.duration)
@@ -84,6 +83,12 @@ def _broken_off(scene: Scene, actor: str, i: int) -> bool:
     """Whether somebody who crosses stops on the way over, or turns back."""
     after = scene.actors[actor].phases[i + 1 : i + 2]
     return any(p.action in ("stop", "stationary", "wait", "leave_road", "reverse") for p in after)
+
+
+def _after_contact(scene: Scene, actor: str, index: int) -> bool:
+    """Whether it is after a contact that somebody does what a phase says: its own, or one that it waits for."""
+    phases = scene.actors[actor].phases[: index + 1]
+    return any(p.action == "collide" or p.trigger is not None and p.trigger.kind == "contact" for p in phases)
 
 
 def _change(scene: Scene, actor: str, i: int) -> float | None:

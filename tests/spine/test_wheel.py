@@ -13,10 +13,11 @@ ROOT = Path(__file__).parents[2]
 
 @pytest.mark.full
 def test_the_wheel_does_the_main_job(tmp_path):
-    subprocess.run(
+    built = subprocess.run(
         [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", tmp_path / "dist", ROOT],
-        check=True, capture_output=True, timeout=300,
+        check=True, capture_output=True, timeout=300, text=True,
     )  # fmt: skip
+    assert "would be ignored" not in built.stdout + built.stderr
     wheel = next((tmp_path / "dist").glob("c2s-*.whl"))
     site = tmp_path / "site"
     subprocess.run(

@@ -28,7 +28,7 @@ from c2s_engine.write.typed.threats import (
     threatening,
 )
 from c2s_engine.write.typed.threats import on_foot as threats_on_foot
-from c2s_engine.write.typed.usual import rides_beside, turn_of
+from c2s_engine.write.typed.usual import crosses, rides_beside, turn_of
 
 SOFT, HARD = 1.0, 4.5
 """m/s2 at least with which drivers brake for who forces them to; a little more than it takes."""
@@ -386,4 +386,8 @@ def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan
         return (*moved, yielding, *spec.phases[aside:])
     if spec.reaction == "evade" and others and not actions & {"lane_change", "swerve", "overtake", "oncoming"}:
         return (*spec.phases, Phase(action="swerve", target=spec.react_to or threatening(structure)[0]))
-    return spec.phases
+    walks = [c for c in others if isinstance(o := structure[c].spec, ObjectSpec) and crosses(o)]
+    if spec.reaction != "brake" or plan.junction or len(walks) != 1:
+        return spec.phases
+    bare = [p for p in spec.phases if p.action == "stop" and not (p.target or p.trigger or p.until or p.clearance)]
+    return tuple(p.model_copy(update={"target": walks[0]}) if p in bare else p for p in spec.phases)  # for that one

@@ -40,7 +40,7 @@ def understand(text: str) -> Scene:
     plain = scan.normalised(text)
     sentences = division.sentences(text)
     quantities = amounts.quantities(plain)
-    names = streets.without_streets(text, scan.names(plain, letters.cased(text, plain)))
+    names = streets.without_streets(scan.names(plain, letters.cased(text, plain)))
     numbered = scan.of_fleets(plain, names)
     quantities += [
         b

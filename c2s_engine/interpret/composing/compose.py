@@ -143,7 +143,7 @@ def _ego_light(scene: Scene) -> str | None:
     ordered[-1] if ordered and ordered[0].value == "green" else None
     for found in scene.light:
         if found.value == "red" and runner is not None:
-            start, end = _clause_span(scene, runner)
+            start, end = _clause_span(runner)
             if start - 25 <= found.span[0] <= end + 25:
                 continue
         if (
@@ -164,7 +164,7 @@ def _of_another(scene: Scene, at: int) -> bool:
     return last is not None and not last.ego and last.mover
 
 
-def _clause_span(scene: Scene, event) -> tuple[int, int]:  # noqa: ANN001
+def _clause_span(event) -> tuple[int, int]:  # noqa: ANN001
     return event.start, event.end
 
 

@@ -11,7 +11,7 @@ from c2s_engine.interpret.placing.start import place_object
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.components import Assumption, Unmet
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Placement, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
 
 
 @dataclass
@@ -33,10 +33,10 @@ def compose_object(scene: Scene, entity: Entity, ids: dict[Entity, str], place: 
     placement = place_object(scene, entity, ids, place, ego, assumed)
     placement = without_spacing(placement, None)
     phases = phases_of(scene, entity, ids, placement, place)
-    speed = pace_of(scene, entity, kind, phases, ego, placement, place, assumed, ids[entity])
+    speed = pace_of(scene, entity, kind, phases, ego, placement, assumed, ids[entity])
     phases = changed(scene.events(entity), phases, speed)
     spec = ObjectSpec(
-        name=_name(entity, placement),
+        name=_name(entity),
         type=kind,
         count=min(8, entity.count),
         spacing=None,
@@ -47,7 +47,7 @@ def compose_object(scene: Scene, entity: Entity, ids: dict[Entity, str], place: 
     return Draft(entity, spec, assumed)
 
 
-def _name(entity: Entity, placement: Placement) -> str:
+def _name(entity: Entity) -> str:
     if entity.label and entity.label.isdigit():
         return f"v{entity.label}"
     for role in ("lead", "oncoming"):

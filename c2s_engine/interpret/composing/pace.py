@@ -6,7 +6,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.who.mentions import PERSONS, Entity
 from c2s_engine.structure.components import Assumption
-from c2s_engine.structure.specs import EgoSpec, Placement, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, Placement
 
 
 def pace_of(
@@ -16,10 +16,8 @@ def pace_of(
     phases: list,
     ego: EgoSpec,
     placement: Placement,
-    place: PlaceSpec,
     assumed: list[Assumption],
-    own_id: str,
-) -> float | tuple[float, float] | None:  # noqa: ANN001
+    own_id: str) -> float | tuple[float, float] | None:  # noqa: ANN001
     said = scene.speeds.get(entity)
     defaults = language.table("defaults")
     first = phases[0].action if phases else None

@@ -26,7 +26,7 @@ def phases_of(
             continue  # it stops "to pick up passengers"
         if event.act == "go_straight" and found and found[-1].action in ("stop", "wait", "yield"):
             found = [p for p in found if p.action != "go_straight"]  # it goes on only then
-        found += lasting(event, steps_of(scene, event, entity, who, ego_key, placement, place, crossing, found))
+        found += lasting(event, steps_of(event, entity, who, ego_key, placement, place, crossing, found))
     if "stationary" in entity.roles and not any(p.action not in ("stationary", "wait") for p in found):
         found = [Phase(action="stationary")]
     if entity.person and not found and not entity.roles and placement.position in ("sidewalk", "roadside"):

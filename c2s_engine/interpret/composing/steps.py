@@ -3,7 +3,7 @@
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.scene import Scene, side
+from c2s_engine.interpret.scene import side
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.interpret.who.mentions import Entity
@@ -57,7 +57,6 @@ def duration_of(event: Event) -> float | tuple[float, float] | None:
 
 
 def steps_of(
-    scene: Scene,
     event: Event,
     entity: Entity,
     who: str | None,
@@ -65,8 +64,7 @@ def steps_of(
     placement: Placement,
     place: PlaceSpec,
     crossing: bool,
-    before: list[Phase],
-) -> list[Phase]:
+    before: list[Phase]) -> list[Phase]:
     act, trigger = event.act, trigger_of(event)
     towards = side(event)
     by_braking = bool(before) and before[-1].action in ("brake", "stop") and event.whole.startswith("to ")
@@ -122,7 +120,7 @@ def steps_of(
     if act == "u_turn":
         return [Phase(action="u_turn", trigger=trigger)]
     if act == "cut_in":
-        if placement.position == "parked" or placement.position == "roadside":
+        if placement.position in {"parked", "roadside"}:
             return [Phase(action="enter_road", target=ego, trigger=trigger)]
         if placement.position in ("oncoming_lane",):
             return [Phase(action="oncoming", side="left", trigger=trigger)]

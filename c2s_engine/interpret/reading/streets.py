@@ -3,6 +3,6 @@
 from c2s_engine.interpret.spans import Span
 
 
-def without_streets(text: str, names: list[Span]) -> list[Span]:
+def without_streets(names: list[Span]) -> list[Span]:
     """The names without those things that stand where a street is named, with a capital and no article."""
     return list(names)

@@ -5,7 +5,6 @@ from functools import cache
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading import amounts
-from c2s_engine.interpret.reading.scan import Span
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.speed.by_limit import LIMIT
 from c2s_engine.interpret.speed.comparisons import owner_of
@@ -32,7 +31,7 @@ def _ratio() -> re.Pattern[str]:
     )
 
 
-def speeds_by_ratio(scene: Scene, quantities: list[Span], taken: list[tuple[int, int]]) -> None:
+def speeds_by_ratio(scene: Scene) -> None:
     """The speeds that are told as a part, a multiple or a percentage of another speed or of the limit."""
     for match in _ratio().finditer(scene.plain):
         owner = owner_of(scene, match.start())

@@ -138,7 +138,7 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         scene.speeds.setdefault(part, scene.speeds[part.group])
     compared_speeds(scene, quantities)
     by_limit(scene)
-    speeds_by_ratio(scene, quantities, [])
+    speeds_by_ratio(scene)
 
 
 def _had_by_then(scene: Scene, event: Event) -> bool:

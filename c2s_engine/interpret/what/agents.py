@@ -140,7 +140,7 @@ class Agents(Subjectless):
             return None, head.i, False
         if word.dep == "xcomp" and head.dep == "acomp" and self.words[head.head].verb:  # "is able to go by"
             return self._subject(self.words[head.head], depth + 1)
-        if word.dep == "xcomp" or word.dep == "ccomp":
+        if word.dep in {"xcomp", "ccomp"}:
             for child in head.children:
                 other = self.words[child]
                 if other.dep == "dobj" and child < word.i and head.lemma not in ("use", "borrow", "cross", "enter"):

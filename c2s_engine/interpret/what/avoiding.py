@@ -25,10 +25,6 @@ GIVES_UP = re.compile(
 BEGINS = language.words("begins")
 
 
-def avoided(cast: Cast, clauses: Clauses) -> None:
-    """Who goes left or right to avoid somebody swerves: "veered right to avoid a dog" is no turn into a street."""
-
-
 def by_means(cast: Cast, clauses: Clauses) -> None:
     """Who avoids somebody by braking or steering does that because of him: "avoids the bus by steering left"."""
     for event in [e for e in clauses.events if e.act == "evade" and e.done]:

@@ -39,7 +39,7 @@ def _heading(text: str) -> int | None:
     return None
 
 
-def _told(clauses: Clauses, words: list[Word]) -> str:
+def _told(words: list[Word]) -> str:
     return " ".join(w.lemma if w.verb else w.norm for w in words)
 
 
@@ -79,8 +79,8 @@ def _by_mentions(clauses: Clauses, who: Entity) -> int | None:
             if word.tag in ("VBD", "VBZ") and not subject and clauses.words[word.head].i != mention.word:
                 break  # of another: "a pickup behind V1 pulled into the northbound lane"
             after.append(word)
-        found = _heading(_told(clauses, before)) if before else None
-        found = _heading(_told(clauses, after)) if found is None else found
+        found = _heading(_told(before)) if before else None
+        found = _heading(_told(after)) if found is None else found
         if found is not None:
             return found
     return None
@@ -94,7 +94,7 @@ def heading(clauses: Clauses, who: Entity) -> int | None:
     for event in clauses.events:
         if event.agent is who or who in event.also:
             own = [clauses.words[i] for i in sorted(event.words)]
-            found = _heading(_told(clauses, own) if own else event.whole)
+            found = _heading(_told(own) if own else event.whole)
             if found is not None:
                 return found
     return None

@@ -7,7 +7,6 @@ import re
 
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.towards import side
-from c2s_engine.interpret.who.mentions import Cast
 
 RUNS = {"heed_red": "run_red", "heed_stop": "run_stop"}
 JUNCTION = frozenset(("turn", "u_turn", "go_straight", "cross_path"))
@@ -25,7 +24,7 @@ def unheeded(clauses: Clauses) -> None:
             event.act, event.mode = "drift", "fact"  # "fails to keep its lane"
 
 
-def hindered(cast: Cast, clauses: Clauses) -> None:
+def hindered(clauses: Clauses) -> None:
     """What another keeps ego from at a junction ego means to do, and gives way: "kept from turning left by a bus"."""
     for event in list(clauses.events):
         if event.act not in (*JUNCTION, "overtake") or not event.agent.ego or event.mode != "negated":

@@ -23,12 +23,12 @@ def came_up_behind(clauses: Clauses) -> None:
 
 def passed(cast: Cast, clauses: Clauses) -> None:
     """Whom those pass of whom it is not said, or said of another."""
-    past_who_stands(cast, clauses)
+    past_who_stands(clauses)
     one_then_another(cast, clauses)
     across_the_bows(clauses)
 
 
-def past_who_stands(cast: Cast, clauses: Clauses) -> None:
+def past_who_stands(clauses: Clauses) -> None:
     """Whom one goes past is told before: "a man in a parked car opens the door as a cyclist passes"."""
     for event in clauses.events:
         if event.act != "overtake" or event.patient is not None or event.adverbial not in ("as", "when", "while"):

@@ -3,7 +3,7 @@
 import re
 
 from c2s_engine.interpret.surroundings.place import Road
-from c2s_engine.interpret.what.avoiding import abandoned, avoided, by_means
+from c2s_engine.interpret.what.avoiding import abandoned, by_means
 from c2s_engine.interpret.what.backstory import was_over
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.echoes import echoes
@@ -36,10 +36,9 @@ def _at_a_light(told: str) -> bool:
 
 def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     """What single clauses cannot tell: a stop that is denied before a stop sign, a pass that is waited for."""
-    avoided(cast, clauses)
     by_means(cast, clauses)
     unheeded(clauses)
-    hindered(cast, clauses)
+    hindered(clauses)
     merged_back(clauses)
     looking_back(cast, clauses)
     tried_to_avoid(cast, clauses)

@@ -34,23 +34,23 @@ def ego_in_line(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str | 
         told = _number(group, cast) if of[group].lane in (None, "same", *LANES) else None
         if told is not None:
             lane = LANES.get(of[group].lane or "", "")
-            _same(group, told[0], told[1], cast, clauses, of)
-            _take_apart(group, told[1], cast, clauses, of)
+            _same(group, told[1], cast, clauses)
+            _take_apart(group, told[1], cast, of)
             return lane
     return None
 
 
-def _same(group: Entity, number: int, at: int, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+def _same(group: Entity, at: int, cast: Cast, clauses: Clauses) -> None:
     """Who is told by that number is ego; to be "third in line" is no standing."""
     if not cast.ego.typed and group.type != "vehicle":
         cast.ego.type, cast.ego.typed = group.type, True
     for one in list(cast.entities):
         member = one.count == 1 and one.group is group and (one.ordinal if one.ordinal != -1 else group.count) == at
         if member:
-            _is_ego(one, cast, clauses, of)
+            _is_ego(one, cast, clauses)
 
 
-def _take_apart(group: Entity, at: int, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+def _take_apart(group: Entity, at: int, cast: Cast, of: dict[Entity, Where]) -> None:
     """Place the members of a group of which ego is one by their numbers."""
     members = {}
     for one in [e for e in cast.entities if e.group is group]:
@@ -100,7 +100,7 @@ def _told(cast: Cast, number: int) -> str:
     return " ".join(f"@{cast.of[w.i].key}" if w.i in cast.of and w.norm not in NUMBERS else w.norm for w in words)
 
 
-def _is_ego(member: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+def _is_ego(member: Entity, cast: Cast, clauses: Clauses) -> None:
     """What was told of that member was told of ego."""
     for event in clauses.events:
         event.agent = cast.ego if event.agent is member else event.agent

@@ -31,7 +31,7 @@ class Gaps:
                 return self.cast.of[word.i]
         return None
 
-    def _gap(self, indices: list[int], where: Where, only_ahead: bool = False, entity: Entity | None = None) -> None:
+    def _gap(self, indices: list[int], where: Where, entity: Entity | None = None) -> None:
         if where.gap is not None:
             return
         text = self.clauses.render(indices)

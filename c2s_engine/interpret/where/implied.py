@@ -50,13 +50,13 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
         elif event.done and event.act == "overtake" and event.agent in of and event.patient is None:
             _past_another(event, clauses, of[event.agent])
         elif event.done and event.act == "yield" and event.agent.ego and event.patient in of:
-            _urgent(event.patient, clauses, of[event.patient])
+            _urgent(clauses)
         elif event.done and event.act in ("cut_in", "lane_change") and in_from(event, of):
-            in_from_aside(event, clauses, of[event.agent])
+            in_from_aside(clauses, of[event.agent])
         elif event.done and event.act == "collide" and event.agent in of:
             sideswipes(event, clauses, of)
         elif event.done and event.act in ("lane_change", "drift", "swerve") and event.agent in of:
-            into_whose_lane(event, clauses, of)
+            into_whose_lane(event, of)
         elif event.done and event.act == "follow" and event.patient in of:
             _behind_whom_it_follows(event, clauses, of)
         elif (
@@ -195,7 +195,7 @@ def _crosses(event: Event, clauses: Clauses, where: Where) -> None:
         clauses.events.append(Event.echo(event, act="cross_road", agent=who, order=event.order - 0.3))
 
 
-def _urgent(who: Entity, clauses: Clauses, where: Where) -> None:
+def _urgent(clauses: Clauses) -> None:
     """An ambulance for which ego moves aside comes from behind."""
     any(e.agent.ego and e.done and e.act in ("lane_change", "leave_road") for e in clauses.events)
 

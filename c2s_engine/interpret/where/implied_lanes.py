@@ -62,7 +62,7 @@ def in_from(event: Event, of: dict[Entity, Where]) -> bool:
     return event.agent in of and bool(event.act == "cut_in")
 
 
-def in_from_aside(event: Event, clauses: Clauses, where: Where) -> None:
+def in_from_aside(clauses: Clauses, where: Where) -> None:
     """Who cuts in "from the right", no junction being near, comes out of the lane on that side."""
     words = " ".join(w.norm for w in clauses.words)
     if where.lane == "crossing" and where.side in ("left", "right") and not NEAR_JUNCTION.search(words):
@@ -81,7 +81,7 @@ def unseen(event: Event, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) 
     of[other].lane, of[other].side, of[other].rel = towards, towards, "beside"
 
 
-def into_whose_lane(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+def into_whose_lane(event: Event, of: dict[Entity, Where]) -> None:
     """One who comes into the lane "where ego is travelling" was in the lane beside and cuts in."""
     if INTO_EGO_LANE.search(event.text) and event.act in ("lane_change", "drift"):
         _comes_in(event, of[event.agent])

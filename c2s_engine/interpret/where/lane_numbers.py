@@ -59,7 +59,7 @@ def number_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str |
     for entity, number in numbers.items():
         if entity.ego:
             continue
-        _into_own_lane(entity, own, cast, clauses)
+        _into_own_lane(entity, cast, clauses)
         where = of[entity]
         where.lane = "same" if number == own else "right" if (number > own) is rightwards else "left"
         where.side = where.lane if number != own else where.side
@@ -98,7 +98,7 @@ def _named(own: int, total: int | None, rightwards: bool) -> str:
     return last if own == total or own > 2 and total is None else "middle"
 
 
-def _into_own_lane(entity: Entity, own: int, cast: Cast, clauses: Clauses) -> None:
+def _into_own_lane(entity: Entity, cast: Cast, clauses: Clauses) -> None:
     """Who changes into the lane of ego's number cuts in."""
     for event in clauses.events:
         match = INTO.search(event.text)

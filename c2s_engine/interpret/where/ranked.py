@@ -34,14 +34,14 @@ def ranked(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> tuple[Entit
         if event.act == "stationary" and (match := IN_LINE.search(event.text)) is not None:
             struck = any(e.act == "collide" and e.done and e.patient is cast.ego for e in clauses.events)
             if match["nth"] or not struck:
-                _in_a_queue(match["nth"], event, cast, clauses, of)
+                _in_a_queue(match["nth"], event, cast, of)
         whole = clauses.render([w.i for w in said])
         if event.act == "stationary" and "park" in whole and (match := BETWEEN.search(whole)) is not None:
-            _parked_between(match, cast, clauses, of)
+            _parked_between(match, cast, of)
     return row, f"{lane}most" if lane in ("left", "right") else None
 
 
-def _part(group: Entity, ahead: int, behind: int, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+def _part(group: Entity, ahead: int, behind: int, cast: Cast, of: dict[Entity, Where]) -> None:
     """So many of a group are ahead of ego, so many behind it, in its lane."""
     where = of[group]
     where.lane = "same" if where.lane in (None, "left", "right") else where.lane
@@ -56,7 +56,7 @@ def _part(group: Entity, ahead: int, behind: int, cast: Cast, clauses: Clauses, 
     of[twin].phrases, of[twin].rel = list(where.phrases), "behind"
 
 
-def _in_a_queue(nth: str | None, event: Event, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+def _in_a_queue(nth: str | None, event: Event, cast: Cast, of: dict[Entity, Where]) -> None:
     """Those who stand before ego in a queue, where nobody else is told to be there."""
     if nth and NTH.get(nth) == 1:
         return
@@ -73,8 +73,8 @@ def _row(kind: str, noun: str, count: int, event: Event, cast: Cast, of: dict[En
     return row
 
 
-def _parked_between(match: re.Match[str], cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+def _parked_between(match: re.Match[str], cast: Cast, of: dict[Entity, Where]) -> None:
     """Of two between which ego is parked one is ahead, the other behind."""
     pair = [e for key in ("a", "b") for e in cast.entities if e.key == match[key]]
     if len(pair) == 1 and pair[0].count == 2:
-        _part(pair[0], 1, 1, cast, clauses, of)
+        _part(pair[0], 1, 1, cast, of)

@@ -121,7 +121,7 @@ class Places(OwnWords, Inferred):
                     read(part, where, entity, self.cast, event.act)
                 comes_past = event.act == "cut_in" and any(e.act == "overtake" and e.done for e in events)
                 if event.act in ("cut_in", "brake", "follow", "stop", "run_red", "turn") and not comes_past:
-                    self._gap(event.words, where, only_ahead=event.act == "cut_in")
+                    self._gap(event.words, where)
             if self.words[event.word].dep == "relcl" and event.adverbial == "where":
                 head = self.words[event.word].head
                 if head not in self.cast.of and self.words[head].norm in (
@@ -148,7 +148,7 @@ class Places(OwnWords, Inferred):
                 and event.act in ("approach", "travel", "follow", "held_up", "overtake", "keep_away")
                 and event.mode != "hypothetical"
             ):
-                self._gap(event.words, where, only_ahead=event.act != "follow")
+                self._gap(event.words, where)
         return where
 
     def _from_phrase(self, i: int, where: Where, entity: Entity) -> None:
@@ -185,7 +185,6 @@ class Places(OwnWords, Inferred):
             ),
             front,
         )
-        fronted = fronted
         if fronted and word.span is not None:
             read(fronted[1] + (" park" if self._parks(entity) else ""), where, entity, self.cast, "noun")
         self._fronted_far(word, front, where, entity)

@@ -77,7 +77,7 @@ def twice(clauses: Clauses) -> None:
 
 def struck_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Fill the places that collisions tell; what is said stays."""
-    _in_order(cast, clauses, of)
+    _in_order(cast, of)
     for hit in clauses.events:
         if hit.act != "collide" or not hit.done or hit.patient is None:
             continue
@@ -86,7 +86,7 @@ def struck_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None
         if _from_behind(hit, clauses):
             _one_behind(hit, of)
         elif not HEAD_ON.search(hit.text):
-            _ahead_of_pushed(hit, clauses, of)
+            _ahead_of_pushed(hit)
 
 
 def _from_behind(hit: Event, clauses: Clauses) -> bool:
@@ -122,7 +122,7 @@ def _one_behind(hit: Event, of: dict[Entity, Where]) -> None:
         of[agent].of = None if patient.ego else patient
 
 
-def _ahead_of_pushed(hit: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
+def _ahead_of_pushed(hit: Event) -> None:
     """Whom one is pushed into is ahead of that one: "ran into V2, pushing it into V3"."""
     _agent, patient = hit.agent, hit.patient
     assert patient is not None
@@ -138,7 +138,7 @@ def _thing(hit: Event, clauses: Clauses, where: Where) -> None:
         where.side = next((s for e in reversed(leaves) if (s := side(e))), None) or where.side
 
 
-def _in_order(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
+def _in_order(cast: Cast, of: dict[Entity, Where]) -> None:
     """ "Vehicles 1, 2 and 3 were in one lane, in that order": each is behind the one before it."""
     if not IN_ORDER.search(" ".join(w.norm for w in cast.words)):
         return

@@ -116,7 +116,7 @@ class Nouns(Attached, NotThere, Counted):
         host = self._driven_by(word)
         if host is not None and kind in VEHICLES:
             return self._retyped(host, kind, roles, noun)
-        pronominal = self._type_of_definite(word, before, kind)
+        pronominal = self._type_of_definite(word, kind)
         definite = bool(DEFINITE & set(before)) or previous in DEFINITE or previous == "neither"
         other = bool({"other", "another"} & set(before)) or previous in ("other", "another")
         ordinal = next((ORDINALS[b] for b in before if b in ORDINALS), None)

@@ -14,7 +14,7 @@ MISHAPS = language.words("mishaps")
 class Owned(EgoByNoun):
     """The part of Cast that resolves vehicles by who owns or drives them."""
 
-    def _type_of_definite(self, word: Word, before: list[str], kind: str) -> Entity | None:
+    def _type_of_definite(self, word: Word, kind: str) -> Entity | None:
         for child in word.children:
             if (
                 self.words[child].tag == "PRP$"

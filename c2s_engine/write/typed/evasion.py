@@ -117,9 +117,11 @@ def last_moment(c: Course, p: Phase) -> tuple[float, float]:
 def swerves_too_late(c: Course, p: Phase) -> list[Step]:
     """Out of the way of whom it hits with its side, as far as it gets until then; nothing: it is in time."""
     metres, _ = last_moment(c, p)
+    if not metres:
+        return []
     out = scope.number(round(float(c.aside or 0) + (-metres if p.side == "right" else metres), 2))
     drive = c.drive(c.set(c.wanted(p, c.value)), offset=out, shift=lateral.said(p) or SHIFT)
-    return [([drive], f"until touch(self, {c.actor.ref(p.target)})")] if metres else []
+    return [([drive], f"until touch(self, {c.actor.ref(p.target)})")]
 
 
 def _small(c: Course, cid: str) -> bool:

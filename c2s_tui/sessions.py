@@ -1,13 +1,19 @@
 """Sessions: open one, as it was left; list, rename, delete."""
 
+import asyncio
 from typing import TYPE_CHECKING
 
+from c2s_engine.session.errors import SessionInUse
+from c2s_tui.line import GONE_SECONDS
 from c2s_tui.part import Part, background, sentence
 from c2s_tui.past import when
 from c2s_tui.screens.dialogs import Choosable, Chooser, Confirm
 
 if TYPE_CHECKING:
     from c2s_engine.session.session import Session
+
+LOOK_AGAIN = 0.25
+"""s between two looks at whether another process has closed a session."""
 
 
 def fresh_name(taken: set[str]) -> str:
@@ -31,7 +37,7 @@ class Sessions(Part):
         if self.bench.session is not None:
             self.bench.drafts.save(now=True)
         try:
-            session = await self.backend.open(name)
+            session = await self._opened(name)
         except Exception as error:
             await self.chat.note(f"The session {name} could not be opened: {sentence(error)}", "error")
             if self.bench.session is not None:
@@ -51,6 +57,21 @@ class Sessions(Part):
             for reply in turn.replies:
                 await self.chat.note(reply, "say")
         await self._recover(session)
+
+    async def _opened(self, name: str) -> "Session":
+        """The session; at the start of the app one that is still held is waited for: the app whose line was dropped is
+        on its way out. Raises SessionError."""
+        tries = 1 if self.bench.session is not None else int((GONE_SECONDS + 3) / LOOK_AGAIN)
+        for left in reversed(range(tries)):
+            try:
+                return await self.backend.open(name)
+            except SessionInUse:
+                if not left:
+                    raise
+                if left == tries - 1:
+                    await self.chat.note(f"The session {name} is open in another process: waiting for it to close.")
+            await asyncio.sleep(LOOK_AGAIN)
+        raise AssertionError("the last try returns or raises")
 
     async def _recover(self, session: "Session") -> None:
         """Put back a draft of the code; offer a turn that a crash interrupted."""

@@ -3,3 +3,7 @@
 
 class SessionError(ValueError):
     """A session that cannot be opened, changed or read; the message says why and what to do."""
+
+
+class SessionInUse(SessionError):
+    """A session that another process holds open."""

@@ -12,7 +12,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from c2s_engine.session.errors import SessionError
+from c2s_engine.session.errors import SessionError, SessionInUse
 from c2s_engine.session.facade import Turns
 from c2s_engine.session.files import write_whole
 from c2s_engine.session.journal import Drafts, Journal, Pending
@@ -338,5 +338,5 @@ def _locked(folder: Path, name: str) -> Any:
         fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:
         handle.close()
-        raise SessionError(f"the session {name!r} is open in another process: close it there first") from None
+        raise SessionInUse(f"the session {name!r} is open in another process: close it there first") from None
     return handle

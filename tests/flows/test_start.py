@@ -5,6 +5,7 @@ from pathlib import Path
 from scripted_engine import CUT_IN
 
 from c2s_engine.session.errors import SessionError
+from c2s_engine.session.sessions import Sessions
 from c2s_tui.prefs import Prefs, load
 
 
@@ -250,3 +251,22 @@ async def test_a_resize_never_breaks(stage):
             await pilot.resize_terminal(*size)
             await pilot.pause()
         assert stage.bench.code.region.width and not stage.bench.has_class("-narrow")
+
+
+async def test_a_session_that_is_just_being_closed_elsewhere_is_waited_for(stage):
+    elsewhere = Sessions(stage.folder).open("demo", stage.engine)
+    app = stage.make()
+    async with app.run_test(size=(140, 45)) as pilot:
+        await stage.until(pilot, lambda: stage.bench and any("waiting for it to close" in line for line in stage.said))
+        elsewhere.close()
+        await stage.ready(pilot)
+        assert stage.bench.session.name == "demo"
+
+
+async def test_a_session_that_stays_open_elsewhere_is_left_alone(stage, monkeypatch):
+    monkeypatch.setattr("c2s_tui.sessions.GONE_SECONDS", -2.0)  # looks for 1 s
+    elsewhere = Sessions(stage.folder).open("demo", stage.engine)
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        assert stage.bench.session.name == "demo-2"
+    elsewhere.close()

@@ -106,3 +106,9 @@ def test_ego_is_written_anew_where_what_it_reacts_to_changes(writer, edit, actio
     after, written = regenerate(structure, [edit], writer)
     assert after == regenerate(fresh(after), [], writer)[0]
     assert "E" in written
+
+
+def test_ego_that_waits_for_what_it_does_itself_is_written(writer):
+    waits = [{"action": "brake", "trigger": {"kind": "action", "of": "ego", "action": "enter_road"}}]
+    structure, written = regenerate(Structure(), [SetField(component="E", path="phases", value=waits)], writer)
+    assert "E" in written and "ego" in structure["E"].code

@@ -52,7 +52,8 @@ def watched(structure: Structure, plan: Plan, t: Trigger, own: str, name: str = 
         case "seen":
             return _seen(structure, subject, other, (t.of, cid))
         case "action":
-            seen = once_seen(structure, [t.of])[0] if own == "E" and t.of and t.action in ONTO_ROAD else ""
+            comes_out = own == "E" and t.of and t.of in structure and t.action in ONTO_ROAD
+            seen = once_seen(structure, [str(t.of)])[0] if comes_out else ""
             if seen.startswith("*in_view"):  # it comes out
                 return seen[1:]
             shows = observed(structure, other, t.of or "ego", t.action)

@@ -38,6 +38,10 @@ BESIDE = ("roadside", "sidewalk", "parked", "intersection_exit")
 """Who comes from there does not come by a way that meets ego's."""
 ANSWERS = ("brake", "stop", "swerve", "lane_change", "yield", "wait")
 """What ego does of its own accord in answer to another, where it names whom or waits for what that one does."""
+WAYS = {"brake": ("brake", "stop", "wait"), "yield": ("brake", "stop", "wait", "yield"),
+        "follow": ("brake", "stop", "wait"),
+        "evade": ("swerve", "lane_change", "overtake", "oncoming", "leave_road", "brake", "stop", "wait")}  # fmt: skip
+"""By reaction, what says how ego does it: a phase without a cause of its own."""
 
 LATER = Trigger(kind="time", value=60.0)
 """After all runs."""
@@ -48,9 +52,13 @@ GONE_BY = ("apart", "passed", "speed", "light", "place")
 def answers(phase: Phase, structure: Structure) -> bool:
     """Whether a phase of ego is an answer to another: it names whom, waits for what that one does, or has no other
     cause (a moment, a place, a light or sign) where ego reacts."""
-    if phase.action not in ANSWERS:
+    trigger, place, ego = phase.trigger, structure.place.spec, structure.ego.spec
+    assert isinstance(ego, EgoSpec)
+    way = phase.action in WAYS.get(ego.reaction, ())
+    if phase.action not in ANSWERS and not (way and trigger is None):
         return False
-    trigger, place = phase.trigger, structure.place.spec
+    if phase.target is not None and phase.target == ego.react_to and way:
+        return phase.gap is None
     if phase.target is not None:
         other = structure[phase.target].spec if phase.target in structure and phase.target != EGO else None
         comes = isinstance(other, ObjectSpec) and crosses(other)
@@ -61,8 +69,7 @@ def answers(phase: Phase, structure: Structure) -> bool:
         return False
     if trigger is not None:
         return trigger.of is not None or trigger.kind in ("distance", "ttc", "action")
-    stands = phase.action in ("brake", "stop", "wait")
-    return stands and getattr(structure.ego.spec, "reaction", "none") != "none" and not getattr(place, "control", None)
+    return way and not getattr(place, "control", None)
 
 
 def _landmark(structure: Structure, cid: str | None) -> bool:
@@ -97,7 +104,7 @@ def unaware(structure: Structure) -> Structure:
     blind = {"action": "keep_lane", "target": None, "gap": None}
     kept = spec.phases[:first]
     if first < len(spec.phases) and spec.phases[first].action == "yield":  # what it then does, it does at once
-        kept += spec.phases[first + 1 :]
+        kept += tuple(p for p in spec.phases[first + 1 :] if not is_answer(p))
     others = (None, spec.react_to or None)
     followed = [p for p in kept if p.action == "follow" and (spec.react_to is None or p.target in others)]
     phases = tuple(p.model_copy(update=blind) if p in followed else p for p in kept)
@@ -338,7 +345,7 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
         return scored(requirement, -1.0, said, f"ego reacts at {time:.1f} s to what it never could see", time)
     cause = min(causes)
     needed = _needed(requirement.other or "", evidence, bool(requirement.values["hard"]))
-    late, early = time - max(cause, needed), time - cause
+    late, early = time - max(cause, needed), round(time - cause, 3)
     # a threat from the start has no moment before which a reaction would be too early
     margins = [(most - late) / most, *([(early - least) / least] if cause > 0.0 else [])]
     words = f"at {time:.1f} s, {early:.2f} s after its cause"

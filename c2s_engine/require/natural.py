@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from c2s_engine.require.evidence import SMOOTH, STANDING, Evidence, Motion, stretches
+from c2s_engine.require.geometry import lead
 from c2s_engine.require.outcome import SIDEWARD, struck
 from c2s_engine.require.results import scored, span, unknown
 from c2s_engine.require.scene import Scene, bounds, kmh
@@ -156,13 +157,30 @@ def steady(requirement: Requirement, evidence: Evidence) -> Result:
         if not motion.moves:
             continue
         settled, gain = motion.time >= bounds()["natural"]["settles"]["value"], motion.acceleration
+        gone = gone_from(motion, evidence)
         for first, last in [*stretches((gain > 0.3) & settled), *stretches((gain < -0.3) & settled)]:
             if motion.kind in ("pedestrian", "animal") and motion.smooth[max(first - 1, 0)] < STANDING:
                 continue  # on foot one sets out at once
             change = abs(float(motion.smooth[last] - motion.smooth[first]))
+            if motion.time[first] >= gone:
+                continue
             if motion.time[last] < until and change > worst and not explained(motion, evidence, first, last):
                 worst, when = change, float(motion.time[first])
     return scored(requirement, (limit - worst) / limit, said, f"{worst:.1f} m/s", when)
+
+
+def gone_from(motion: Motion, evidence: Evidence) -> float:
+    """From when one that came towards ego has left it behind for good, s: what becomes of it then is of no account."""
+    ego = evidence.motion(EGO)
+    if ego is None or ego is motion:
+        return np.inf
+    n = min(len(motion.x), len(ego.x))
+    facing = np.cos(motion.heading[:n] - ego.heading[:n]) < 0
+    behind = facing & (lead(ego.poses[:n], motion.poses[:n]) < -bounds()["reason"]["gone"]["value"])
+    if not n or not behind[-1]:
+        return np.inf
+    here = np.flatnonzero(~behind)
+    return float(motion.time[here[-1] + 1 if len(here) else 0])
 
 
 def smooth(requirement: Requirement, evidence: Evidence) -> Result:

@@ -266,6 +266,8 @@ def light_turns(requirement: Requirement, evidence: Evidence) -> Result:
     turns = list(_shows(ego, evidence, str(v["turns"])))
     if not turns:
         return decided(requirement, False, said, "it never shows that")
+    if v["watched"] == "time" and float(v["value"]) < 0:  # type: ignore[arg-type]  # no moment is said
+        due = turns[0]
     nearest = min(turns, key=lambda t: abs(t - due))
     room = bounds()["order"]["turns"]["value"]
     seen = f"{nearest:.1f} s, that at {due:.1f} s"

@@ -20,7 +20,7 @@ from c2s_engine.session.steps import Tools
 from c2s_engine.solve.defaults import with_usual_reaction
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
-from c2s_engine.structure.edits import Edit, Replace
+from c2s_engine.structure.edits import Edit, Replace, placed_in_order
 from c2s_engine.structure.progress import StructureChanged
 from c2s_engine.structure.sentences import retold
 from c2s_engine.write import by_hand
@@ -105,6 +105,7 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         method = method_of(state)
         for edit in method.described(before, structure) if edits else []:
             structure = steps.apply(structure, edit)
+        structure = placed_in_order(structure)
         if state.get("given"):
             structure = with_usual_reaction(structure)
         strict = state.get("strict")

@@ -127,6 +127,27 @@ def apply(structure: Structure, edit: Edit) -> Structure:
     return structure.with_component(_changed(component, edit))
 
 
+def placed_in_order(structure: Structure) -> Structure:
+    """S whose objects stand behind those that they are placed by, as a program needs it; the others keep their order.
+    Objects that are placed by one another stay as they are."""
+    for _ in structure.objects:
+        for index, component in enumerate(structure.objects):
+            later = {o.id for o in structure.objects[index + 1 :]} & _placed_by(component)
+            if later and not any(component.id in _placed_by(structure[other]) for other in later):
+                last = max(structure.objects.index(structure[other]) for other in later)
+                structure = apply(structure, MoveObject(component=component.id, index=last))
+                break
+        else:
+            break
+    return structure
+
+
+def _placed_by(component: Component) -> set[str]:
+    """Whose places an object's place is told by."""
+    placement = getattr(component.spec, "placement", None)
+    return {cid for cid in (placement.of, placement.hidden_by) if cid} if placement is not None else set()
+
+
 def _changed(component: Component, edit: SetDescription | SetSpec | SetField | SetCode) -> Component:
     if isinstance(edit, SetDescription):
         return component.model_copy(update={"description": edit.description})

@@ -846,7 +846,10 @@ def clock():
 
 def need(car, other):
     """The deceleration (m/s2) that keeps `car` from reaching `other`, if both go on as they do, and at least as much as
-    one close ahead in its way slows down with; 0: no conflict, or one that crosses can still stop at its line."""
+    one close ahead in its way slows down with; 0: no conflict, or one that crosses can still stop at its line, or the
+    very beginning, when not all have their speed yet."""
+    if clock() < 0.15:
+        return 0
     place = (other.position - car.position).rotatedBy(-car.heading)
     motion = other.velocity.rotatedBy(-car.heading)
     across = abs(math.sin(other.heading - car.heading))

@@ -3,7 +3,7 @@
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.contradictions import ResolveError
-from c2s_engine.write.typed.tables import FLAT, LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, is_static, is_vehicle
+from c2s_engine.write.typed.tables import FLAT, LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, is_static, is_vehicle, is_walker
 from c2s_engine.write.typed.usual import default_gap
 
 
@@ -22,7 +22,7 @@ def lane_offset(cid: str, objects: dict[str, ObjectSpec], seen: tuple[str, ...] 
             raise ResolveError(
                 f"{cid} is placed relative to {placement.of}, which is not there", (f"{cid}.placement.of",)
             )
-        of = lane_offset(placement.of, objects, (*seen, cid))
+        of = 0 if is_landmark(objects[placement.of]) else lane_offset(placement.of, objects, (*seen, cid))
     step = {"ahead": 0, "behind": 0, "partly_in_lane": 0, "left_lane": placement.lanes_over,
             "right_lane": -placement.lanes_over}.get(placement.position)  # fmt: skip
     if placement.position == "beside":
@@ -30,6 +30,12 @@ def lane_offset(cid: str, objects: dict[str, ObjectSpec], seen: tuple[str, ...] 
     if step and placement.lateral is not None:  # beyond the next lane
         step *= 1 + int(middle(placement.lateral) // LANE_WIDTH)
     return None if of is None or step is None else of + step
+
+
+def is_landmark(spec: ObjectSpec) -> bool:
+    """Whether a thing beside the road only tells where along it others are: what is ahead of a sign is on the road."""
+    beside = spec.placement.position in ("roadside", "sidewalk")
+    return beside and not is_vehicle(spec.type) and not is_walker(spec.type)
 
 
 def oncoming(spec: ObjectSpec, objects: dict[str, ObjectSpec]) -> bool:
@@ -126,7 +132,8 @@ def leaves_lane(spec: ObjectSpec | None) -> bool:
 
 def pulls_out(ego: EgoSpec) -> bool:
     """Whether ego stands at the kerb at first and pulls out from there."""
-    return bool(ego.phases) and ego.phases[0].action == "enter_road"
+    moves = (p.action for p in ego.phases if p.action not in ("wait", "stationary"))
+    return next(moves, "") == "enter_road"
 
 
 def kerb_side(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> str | None:

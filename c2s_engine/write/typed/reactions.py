@@ -17,6 +17,7 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import first_in_line
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static, is_vehicle
 from c2s_engine.write.typed.threats import (
+    ASIDE,
     every,
     hits_ego,
     in_sight,
@@ -53,11 +54,18 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     hit = {p.target for p in spec.phases if p.action == "collide"}
     cids = [c for c in cids if spec.reaction != "yield" or c not in hit]
     if spec.reaction == "yield" and cids:  # whom it let pass may then be ahead
-        moving = [c for c in cids if not is_static(actor.structure[c].spec)]  # type: ignore[arg-type]
+        passed = {p.action for p in spec.phases} & {*ASIDE, "overtake", "oncoming"}
+        still = [c for c in cids if is_static(actor.structure[c].spec)]  # type: ignore[arg-type]
+        moving = [c for c in cids if c not in still or not passed]
         if _waits_for(spec, spec.react_to or ""):  # it stops short of their ways itself
             moving = [c for c in moving if _comes_by(actor, c) not in {*APPROACH_ANGLE} - {"circulating"}]
         seen = once_seen(actor.structure, moving)
         return _around(statements, seen, 3, _brakes(seen)) if moving else statements
+    leads = [c for c in cids if c == spec.react_to and _position(actor.structure, c) == "ahead"]
+    calm = {"follow", "keep_lane", "overtake", "collide"}
+    if spec.reaction == "follow" and leads and not {p.action for p in spec.phases} <= calm:
+        seen = once_seen(actor.structure, leads)
+        return _around(statements, seen, 3, _brakes(seen))
     round_it = {p.target for p in spec.phases if p.action == "overtake" and not _slows(actor.structure, p.target)}
     round_it |= {p.target for p in spec.phases if p.clearance is not None}  # or keeps its own room to them
     broken_off = any(p.action == "overtake" and p.abandoned for p in spec.phases)  # that is how it answers them
@@ -229,7 +237,7 @@ def _stop_for(actor: Actor, on_foot: list[str], hard: bool, stands: bool) -> lis
     """The interruption of ego's way by a stop for those on foot: it goes on when they have gone by, and has first come
     to a stand where it `stands`."""
     s = actor.structure
-    limit, rate = (5.0, 7.0) if hard else (3.0, 3.5)
+    limit, rate = (5.0, min(7.0, HOLDS.get(actor.spec.type, 7.0))) if hard else (3.0, 3.5)
     they = ", ".join(every(s, c) for c in on_foot)
     more = (f", rate={scope.number(rate)}" if hard else "") + (", stands=True" if stands else "")
     room = _room(actor, on_foot)
@@ -384,7 +392,7 @@ def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan
         aside = 1 if spec.phases and spec.phases[0].action == "lane_change" else 0  # out of the way first
         moved = tuple(p.model_copy(update={"duration": p.duration or 2.5}) for p in spec.phases[:aside])
         return (*moved, yielding, *spec.phases[aside:])
-    if spec.reaction == "evade" and others and not actions & {"lane_change", "swerve", "overtake", "oncoming"}:
+    if spec.reaction == "evade" and others and not actions & {*ASIDE, "overtake", "oncoming"}:
         return (*spec.phases, Phase(action="swerve", target=spec.react_to or threatening(structure)[0]))
     walks = [c for c in others if isinstance(o := structure[c].spec, ObjectSpec) and crosses(o)]
     if spec.reaction != "brake" or plan.junction or len(walks) != 1:

@@ -5,6 +5,7 @@ import math
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, PlaceSpec
+from c2s_engine.write.typed.lanes import is_landmark
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import (
     APPROACH_ANGLE,
@@ -42,6 +43,8 @@ BESIDE = {"sidewalk": 3.0, "parked": 1.6}
 """m from the road's edge, else 1.5."""
 SET_BACK = 6.0
 """m by which somebody starts further from the road at most, so as to come when S says."""
+AT_KERB = 0.6
+"""m from the road's edge to who is about to step onto it."""
 AFTER = 0.5
 """s by which one crosses later than whom they wait for."""
 SEEN_RUNNING = 1.8
@@ -73,8 +76,8 @@ def along(spec: ObjectSpec) -> int:
 
 
 def set_back(structure: Structure, cid: str, plan: Plan) -> float:
-    """How much further from the road (m) somebody on foot starts who sets out when S says, so as to cross after the one
-    that they wait for, or as ego comes: as far as what hides them lets them be hidden."""
+    """How much further from the road (m; below 0: nearer to it) somebody on foot starts who sets out when S says, so as
+    to cross after the one that they wait for, or as ego comes: as far as what hides them lets them be hidden."""
     spec = structure[cid].spec
     first = spec.phases[0] if isinstance(spec, ObjectSpec) and spec.phases else None
     if first is None or first.trigger is None or not is_walker(spec.type) or not crosses(spec):  # type: ignore
@@ -82,7 +85,7 @@ def set_back(structure: Structure, cid: str, plan: Plan) -> float:
     assert isinstance(spec, ObjectSpec)
     t, pace = first.trigger, max(middle(pace_of(spec)), 0.5)
     other = structure[t.of].spec if t.of and t.of in structure else None
-    own, far = _to_middle(structure, spec, plan), SET_BACK
+    own, far, near = _to_middle(structure, spec, plan), SET_BACK, 0.0
     by = structure[spec.placement.hidden_by].spec if spec.placement.hidden_by else None
     if isinstance(by, ObjectSpec):
         far = max(WIDTH[by.type] - inside(by), 0.0)
@@ -93,9 +96,12 @@ def set_back(structure: Structure, cid: str, plan: Plan) -> float:
         behind = isinstance(by, ObjectSpec) and t.of == spec.placement.hidden_by
         beyond = from_hider(structure, cid) + LENGTH[by.type] / 2 if behind else 0.0  # type: ignore[union-attr]
         due = (middle(t.value) + beyond) / plan.ego_speed
+        near = outwards(spec) - AT_KERB if by is None else 0.0
+    elif t.kind == "ttc" and t.value is not None and by is None:
+        due, near = middle(t.value), outwards(spec) - AT_KERB
     else:
         return 0.0
-    return round(min(max(due * pace - own, 0.0), far), 1)
+    return round(min(max(due * pace - own, -near), far), 1)
 
 
 def _to_middle(structure: Structure, spec: ObjectSpec, plan: Plan) -> float:
@@ -155,7 +161,10 @@ def at_door(structure: Structure, spec: ObjectSpec) -> bool:
 def in_line(structure: Structure, spec: ObjectSpec, plan: Plan) -> bool:
     """Whether it is placed by one that is on no lane of ego's direction, and on the same lane as that one."""
     of = spec.placement.of
-    return of not in ("ego", "E") and plan.lane_of[of] is None and spec.placement.position not in OWN_PLACE
+    if of in ("ego", "E") or plan.lane_of[of] is not None or spec.placement.position in OWN_PLACE:
+        return False
+    other = structure[of].spec
+    return not (isinstance(other, ObjectSpec) and is_landmark(other))
 
 
 def first_in_line(structure: Structure, cid: str, plan: Plan) -> str:

@@ -16,6 +16,8 @@ FOG = 65
 """m that one sees in the fog: at motorway speeds just enough to stop."""
 STAYS = {"keep_lane", "move_along", "stationary", "wait", "go_straight"}
 """What somebody does who stays beside the road."""
+ASIDE = {"swerve", "lane_change", "leave_road"}
+"""How one gets out of the way of what is ahead in its lane."""
 CALM = {"follow", "keep_lane", "go_straight", "turn_left", "turn_right", "move_along", "brake"}
 """What ego does before it is to stop while nothing forces it to."""
 

@@ -10,11 +10,13 @@ from c2s_engine.write.typed.evasion import last_moment
 from c2s_engine.write.typed.facing import AHEAD
 from c2s_engine.write.typed.overtakings import pulls_out
 from c2s_engine.write.typed.passing import FOLLOWS
-from c2s_engine.write.typed.people import comes_out
+from c2s_engine.write.typed.people import REACTS, comes_out
 from c2s_engine.write.typed.reach import EVADED_AT
-from c2s_engine.write.typed.tables import LENGTH, WORKS, is_static
+from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, WORKS, is_static
 from c2s_engine.write.typed.threats import (
+    ASIDE,
     IN_WAY,
+    STAYS,
     beside_way,
     is_stopped,
     on_foot,
@@ -34,7 +36,7 @@ BEFORE_IT = 2.0
 """m before a crosswalk by which one has slowed down for it."""
 TO_END = 6.0
 """m before the end of an acceleration lane at which the middle of one is who stops there."""
-FORCED = {"brake", "stop", "swerve", "lane_change"}
+FORCED = {"brake", "stop", *ASIDE}
 DELAYED = {
     "brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road",
     "accelerate", "oncoming",
@@ -103,9 +105,9 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         if beside_way(a.structure, cid):
             return f"until ttc(self, {a.ref(cid)}) < {scope.number(EVADED_AT if first else EVADED_AT / 2)}"
         hard = getattr(a.spec, "hard", False) or (phase.rate is not None and middle(phase.rate) >= 4)
-        if phase.action in ("swerve", "lane_change") and cid and (spec := course.other(cid)) and crosses(spec):
-            return f"until {a.ref(cid)}.speed > 0.3"  # it sets out
-        aside = phase.action in ("swerve", "lane_change")
+        aside = phase.action in ASIDE
+        if aside and cid and (spec := course.other(cid)) and crosses(spec):
+            return f"until min(lately({a.ref(cid)}, {REACTS:g})) > 0.3"  # it has set out
         still = cid is not None and (o := course.other(cid)) is not None and is_static(o)
         limit = (2 if still else 1.2) if aside else 4 if hard else 2
         them = once_seen(a.structure, [cid])[0] if cid else a.ref(cid)
@@ -237,6 +239,8 @@ def _in_front(actor: Actor, cid: str) -> bool:
         return False
     if not isinstance(spec, ObjectSpec) or "behind" in (spec.placement.position, spec.placement.along):
         return False
+    if {p.action for p in spec.phases} <= STAYS and spec.placement.position in MOVES_OFF_ROAD:
+        return False  # it stays beside the road
     comes = {"cut_in", "lane_change", "drift", "swerve", "lose_control"} & {p.action for p in spec.phases}
     return lane in (0, None) or bool(comes)
 
@@ -256,6 +260,9 @@ def _confronted(course: Course, phase: Phase) -> bool:
     if spec.placement.position == "behind" or spec.placement.along == "behind":
         comes = any(p.action in ("cut_in", "overtake") for p in spec.phases) and phase.action in ("brake", "stop")
         return comes and getattr(a.spec, "reaction", "") != "yield"  # else it has been let by
+    abreast = "beside" in (spec.placement.position, spec.placement.along) or spec.placement.along == "abreast"
+    if abreast and {p.action for p in spec.phases} <= STAYS:
+        return False  # there is no room beside it, and it keeps ego from nothing else
     return (spec.placement.position in IN_WAY or not is_static(spec)) and _presses(course, cid)
 
 

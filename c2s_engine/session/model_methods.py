@@ -5,11 +5,13 @@ from collections import Counter
 from typing import Any
 
 from c2s_engine.check.client import CheckError
+from c2s_engine.models.errors import READER as READER_MODEL
 from c2s_engine.models.errors import ModelError
 from c2s_engine.session.methods import Interpreted, Written
 from c2s_engine.session.model_tools import client_for, method_tools
 from c2s_engine.session.places import map_choice
 from c2s_engine.session.steps import Emit, Tools, timed
+from c2s_engine.solve.defaults import with_usual_reaction
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.edits import Edit
@@ -17,6 +19,9 @@ from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import ProgramChanged, StageDone, StageStarted, Usage
 from c2s_engine.write.loop import Evaluate, Outcome
 from c2s_engine.write.typed import TypedWriter
+
+READER = "reader"
+"""The method of the learned reader, which has a model of its own."""
 
 
 def model_method(name: str, tools: Tools) -> "ModelMethod":
@@ -35,23 +40,28 @@ class ModelMethod:
     """One of `write.methods`, with the engine's check server, maps and retriever as its tools."""
 
     def __init__(self, name: str, tools: Tools):
-        self.name, self.tools = name, tools
+        self.name, self.tools, self.settings = name, tools, tools.settings
+        if name == READER and not self.settings.model:
+            self.settings = self.settings.model_copy(update={"model": READER_MODEL})
         self.usage: Counter[str] = Counter()
-        self.needs_place = name in ("typed", "mixed")
+        self.needs_place = name in (READER, "typed", "mixed")
         self.reads_sentences = name.startswith(("prompted", "chat2scenic", "chatscene"))
 
     async def interpret(self, text: str, structure: Structure, emit: Emit) -> Interpreted:
         emit(StageStarted(stage="interpret"))
         started = time.perf_counter()
         try:
-            async with client_for(self.tools.settings) as client:
+            async with client_for(self.settings) as client:
                 method = self._method(client, emit)
                 reading = await method.interpret(text, self._counting(emit))
         except (ModelError, CheckError, ValueError) as error:
             return None, [], self.account(None), _failed("interpret", started, error, emit)
         result = timed("interpret", started)
         emit(StageDone(result=result))
-        return reading.structure.model_copy(update={"text": text}), [], self.account(None), result
+        structure = reading.structure.model_copy(update={"text": text})
+        if self.name == READER:  # which says what the text says and no more
+            structure = with_usual_reaction(structure)
+        return structure, [], self.account(None), result
 
     async def write(
         self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str
@@ -60,7 +70,7 @@ class ModelMethod:
         started = time.perf_counter()
         writer = TypedWriter(map_choice(self.tools.library, self.tools.library.find(map_name)), room=room)
         try:
-            async with client_for(self.tools.settings) as client:
+            async with client_for(self.settings) as client:
                 after = await self._method(client, emit, writer, folder).write(structure, self._counting(emit))
         except (ModelError, CheckError, ValueError) as error:
             return structure, assemble(structure), [], _failed("write", started, error, emit)
@@ -77,7 +87,7 @@ class ModelMethod:
         from c2s_engine.interpret import EmbeddedInterpreter
         from c2s_engine.write.loop import improve
 
-        async with client_for(self.tools.settings) as client:
+        async with client_for(self.settings) as client:
             return await improve(
                 structure, evaluate, client=client, embedded=EmbeddedInterpreter(), on_event=self._counting(emit)
             )

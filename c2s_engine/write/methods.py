@@ -1,8 +1,8 @@
 """Methods by name, behind one face: a text is interpreted to S, and S is written as a program.
 
-embedded, typed, mixed, prompted (C11 with repair; rendered where that fails), chat2scenic:C1 ... chat2scenic:C12 (the
-paper's, without repair; with it: chat2scenic:C1+repair), chatscene, nl2scenic:zero, nl2scenic:few (also nl2scenic),
-nl2scenic:cot.
+embedded, reader (the learned reader), typed, mixed, prompted (C11 with repair; rendered where that fails),
+chat2scenic:C1 ... chat2scenic:C12 (the paper's, without repair; with it: chat2scenic:C1+repair), chatscene,
+nl2scenic:zero, nl2scenic:few (also nl2scenic), nl2scenic:cot.
 """
 
 from collections.abc import Callable
@@ -25,7 +25,7 @@ from c2s_engine.write.prompted.configuration import names as configurations
 from c2s_engine.write.prompted.header import Ground
 from c2s_engine.write.prompted.repair import Search
 from c2s_engine.write.typed import TypedWriter
-from c2s_engine.write.typed_method import Resolve, TypedMethod
+from c2s_engine.write.typed_method import ReaderMethod, Resolve, TypedMethod
 from c2s_engine.write.whole import WholeOrRendered
 
 OnEvent = Callable[[Progress], None]
@@ -97,7 +97,7 @@ class _Plainly:
 def names() -> list[str]:
     """Every method's name."""
     prompted = [f"chat2scenic:{c}" for c in configurations()]
-    return ["embedded", "typed", "mixed", "prompted", *prompted, "chatscene",
+    return ["embedded", "reader", "typed", "mixed", "prompted", *prompted, "chatscene",
             "nl2scenic:zero", "nl2scenic:few", "nl2scenic:cot"]  # fmt: skip
 
 
@@ -131,6 +131,8 @@ def method(name: str, tools: MethodTools) -> Method:
         assert tools.search is not None, "chatscene needs a retriever"
         return _Plainly(ChatScene(client, tools.search, tools.embedded, tools.ground), name)
     assert client is not None
+    if kind == "reader":
+        return ReaderMethod(client, tools.embedded, tools.resolve, tools.writer, tools.check)
     if kind == "typed":
         return TypedMethod(client, tools.embedded, tools.resolve, tools.writer, tools.check)
     if kind == "nl2scenic":

@@ -3,6 +3,7 @@
 from collections.abc import Awaitable, Callable
 from typing import Any
 
+from c2s_engine.interpret.learned import LearnedReader
 from c2s_engine.interpret.llm import fallback
 from c2s_engine.interpret.llm.typed import Reading, TypedReader
 from c2s_engine.models.client import OllamaClient
@@ -41,11 +42,15 @@ class TypedMethod:
 
     async def interpret(self, text: str, on_event: OnEvent | None = None) -> Reading:
         """What was read with the model, made to resolve: a component that stands against the others falls back."""
-        reading = await TypedReader(self.client, self.embedded, on_event).read(text)
+        reading = await self.read(text, on_event)
         settled = await self.settle(reading)
         if on_event and settled is not reading:
             on_event(Say(text=settled.notes[-1], severity="warning"))
         return settled
+
+    async def read(self, text: str, on_event: OnEvent | None) -> Reading:
+        """S as the model fills it in."""
+        return await TypedReader(self.client, self.embedded, on_event).read(text)
 
     async def settle(self, reading: Reading) -> Reading:
         """The reading with the fewest further fallbacks under which it resolves; at worst the embedded one."""
@@ -112,6 +117,16 @@ class TypedMethod:
         assert self.check is not None
         program = assemble(structure)
         return first_error(await self.check(program.text, program.spans, "sample"))
+
+
+class ReaderMethod(TypedMethod):
+    """The learned reader's S, rendered in the same way."""
+
+    name = "reader"
+
+    async def read(self, text: str, on_event: OnEvent | None) -> Reading:
+        """S as the learned reader answers."""
+        return await LearnedReader(self.client, self.embedded, on_event).read(text)
 
 
 TRIES = 3

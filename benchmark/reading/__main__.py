@@ -1,0 +1,94 @@
+"""`python -m c2s_bench.reading read | run`: how well scenes are read; how many with S by hand run as required.
+
+read: the embedded interpreter (or, with --host, the learned reader at that Ollama) on wordings of scenes held out of
+training. run: S by hand to a run; the share in which all that S requires is seen, and what fails most.
+"""
+
+import argparse
+import asyncio
+import random
+import re
+from collections import Counter
+from collections.abc import Awaitable, Callable
+
+from c2s_bench.reading.agreement import Agreement, agreement
+from c2s_bench.reading.scenes import Scene, scenes
+from c2s_engine.api import Engine
+from c2s_engine.config import Settings
+from c2s_engine.interpret import EmbeddedInterpreter
+from c2s_engine.interpret.learned import LearnedReader
+from c2s_engine.models import ModelSettings, OllamaClient
+from c2s_engine.models.errors import READER
+from c2s_engine.report.gather import Told, of_text
+from c2s_engine.structure.components import Structure
+
+Read = Callable[[str], Awaitable[Structure]]
+
+
+async def read(chosen: list[Scene], host: str) -> None:
+    """Print how the scenes' first wordings are read."""
+    embedded = EmbeddedInterpreter()
+    if not host:
+
+        async def by_rule(text: str) -> Structure:
+            return embedded.interpret(text).structure
+
+        return await _compared(chosen, by_rule)
+    async with OllamaClient(ModelSettings(model=READER, host=host)) as client:
+        reader = LearnedReader(client, embedded)
+
+        async def by_model(text: str) -> Structure:
+            return (await reader.read(text)).structure
+
+        return await _compared(chosen, by_model)
+
+
+async def _compared(chosen: list[Scene], one: Read) -> None:
+    found: list[Agreement] = []
+    for scene in chosen:
+        try:
+            found.append(agreement(await one(scene.texts[0]), scene.structure))
+        except ValueError as error:  # a text that the interpreter refuses
+            print(f"{scene.id}: {error}")
+            found.append(Agreement(0, 0, agreement(scene.structure, scene.structure).there, False))
+    agreed, said, there = (sum(getattr(a, name) for a in found) for name in ("agreed", "read", "there"))
+    precision, recall = agreed / max(said, 1), agreed / max(there, 1)
+    f1 = 2 * precision * recall / max(precision + recall, 1e-9)
+    print(f"{len(found)} texts: fields precise {precision:.1%}, found {recall:.1%}, F1 {f1:.1%}")
+    objects, exact = sum(a.objects for a in found) / len(found), sum(a.exact for a in found)
+    print(f"as many objects in {objects:.0%}, all the same in {exact}")
+
+
+async def run(chosen: list[Scene]) -> None:
+    """Print in how many scenes everything that S requires is seen, and the checks that fail most."""
+    whole, failing, problems = 0, Counter[str](), 0
+    async with Engine(Settings()) as engine:
+        for number, scene in enumerate(chosen, 1):
+            material = await of_text(engine, Told(scene.id, scene.texts[0], "", scene.structure))
+            failed = {re.sub(r"^\w+\.|\.\d+", "", r.requirement) for r in material.results if not r.holds}
+            problems += bool(material.problem)
+            whole += not failed and not material.problem
+            failing.update(failed)
+            if number % 20 == 0:
+                print(f"{number}: {whole} whole", flush=True)
+    print(f"{len(chosen)} scenes: {whole} whole ({whole / len(chosen):.0%}), {problems} do not run to their end")
+    for name, times in failing.most_common(20):
+        print(f"{times:4} {name}")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", choices=("read", "run"))
+    parser.add_argument("--n", type=int, default=100, help="how many scenes, drawn by --seed")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--trained", action="store_true", help="of those trained on, instead of those held out")
+    parser.add_argument("--host", default="", help="read: the learned reader at this Ollama")
+    given = parser.parse_args()
+    chosen = [s for s in scenes() if s.held is not given.trained]
+    random.Random(given.seed).shuffle(chosen)
+    chosen = chosen[: given.n]
+    asyncio.run(read(chosen, given.host) if given.what == "read" else run(chosen))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,128 @@
+"""What the learned reader is trained on: texts with their S in short notation, and variants made of them by program.
+
+Mirrored scenes (left and right exchanged), other numbers in text and S alike, and sloppy writing; and what the embedded
+interpreter reads without a fault of the fresh descriptions that were worked on (silver: never those only counted).
+"""
+
+import random
+import re
+from collections.abc import Iterator
+
+import yaml
+
+from c2s_bench.reading.scenes import FOLDER, scenes
+from c2s_engine.interpret.learned.notation import short
+
+Pair = tuple[str, str]
+
+_SIDES = {
+    one + end: other + end
+    for one, other in (("left", "right"), ("right", "left")) for end in ("", "most", "ward", "wards", "hand")
+}  # fmt: skip
+_SIDE = re.compile(r"\b(" + "|".join(sorted(_SIDES, key=len, reverse=True)) + r")\b", re.I)
+_NOT = yaml.safe_load((FOLDER.parent / "not_mirrored.yaml").read_text(encoding="utf-8"))
+NOT_MIRRORED = re.compile(rf"\b({'|'.join(_NOT)})\b", re.I)
+"""Words by which "right" or "left" is no side, or the text tells on which side one drives."""
+_NUMBER = re.compile(r"=(\d+)(?:km/h|mph|m|s|ft)(?=[ ,\n;]|$)")
+
+
+def pairs(seed: int = 5) -> list[Pair]:
+    """All that is trained on but the silver."""
+    rng, found = random.Random(seed), [p for text, said in judged() for p in variants(text, said, random.Random(seed))]
+    for scene in scenes():
+        if scene.held:
+            continue
+        said = short(scene.components)
+        for text in scene.texts:
+            found += variants(_flat(text), said, rng)
+    return found
+
+
+def judged() -> Iterator[Pair]:
+    """The first two judged batches, whose S was written by hand."""
+    from c2s_bench.reading.units import with_units
+    from c2s_engine.report.gather import structure_of
+
+    for name in ("2026-11-24", "2026-11-24-second"):
+        file = FOLDER.parents[1] / "judging" / "batches" / f"{name}.yaml"
+        for row in yaml.load(file.read_text(encoding="utf-8"), Loader=yaml.CSafeLoader):
+            structure = structure_of(row["structure"], row["text"])
+            yield _flat(row["text"]), short(with_units(structure, row["text"]))
+
+
+def variants(text: str, said: str, rng: random.Random) -> Iterator[Pair]:
+    """A pair and its variants."""
+    yield text, said
+    mirrored = mirror(text, said)
+    if mirrored:
+        yield mirrored
+    if rng.random() < 0.6:
+        yield from filter(None, [other_numbers(*(mirrored if mirrored and rng.random() < 0.5 else (text, said)), rng)])
+    if rng.random() < 0.15:
+        yield sloppy(text, rng), said
+
+
+def mirror(text: str, said: str) -> Pair | None:
+    """The scene with left and right exchanged; None where the words may mean something else."""
+    if not re.search(r"\b(left|right)", text, re.I) or NOT_MIRRORED.search(text):
+        return None
+
+    def other(match: re.Match[str]) -> str:
+        word = _SIDES[match[0].lower()]
+        return word.upper() if match[0].isupper() else word.capitalize() if match[0][:1].isupper() else word
+
+    return _SIDE.sub(other, text), re.sub("left|right", lambda m: _SIDES[m[0]], said)
+
+
+def other_numbers(text: str, said: str, rng: random.Random) -> Pair | None:
+    """The scene with other quantities, so that they are learned as what is copied; None where none can be changed."""
+    changed = False
+    for old in sorted(set(_NUMBER.findall(said))):
+        apart = re.search(rf"(?<![\d.,]){old}(?![\d.,:])", text)
+        if not apart or re.search(rf"\d+-{old}|{old}-\d|{old}\.\d", text + said):
+            continue
+        low, high = (0.75, 1.3) if int(old) < 30 else (0.8, 1.2)
+        new = str(max(1, round(int(old) * rng.uniform(low, high))))
+        if new == old or re.search(rf"(?<!\d){new}(?!\d)", text):
+            continue
+        text = re.sub(rf"(?<![\d.,\w]){old}(?![\d.,:])", new, text)
+        said = re.sub(rf"={old}(?=(?:km/h|mph|m|s|ft)(?:[ ,\n;]|$))", f"={new}", said)
+        changed = True
+    return (text, said) if changed else None
+
+
+def sloppy(text: str, rng: random.Random) -> str:
+    """The text as typed in haste: small letters, no commas or articles, letters exchanged."""
+    text = text.lower() if rng.random() < 0.5 else text
+    text = text.replace(",", "") if rng.random() < 0.3 else text
+    if rng.random() < 0.3:
+        text = re.sub(r"\b(the|a|an) ", lambda m: "" if rng.random() < 0.5 else m[0], text)
+    words = text.split(" ")
+    for _ in range(rng.randint(0, 2)):
+        at = rng.randrange(len(words))
+        if len(words[at]) > 4 and words[at].isalpha():
+            k = rng.randrange(1, len(words[at]) - 2)
+            words[at] = words[at][:k] + words[at][k + 1] + words[at][k] + words[at][k + 2 :]
+    return " ".join(words)
+
+
+def silver() -> Iterator[Pair]:
+    """What the embedded interpreter reads as expected of the fresh descriptions worked on."""
+    from c2s_bench.interpret.score import judge
+    from c2s_bench.reading.units import with_units
+    from c2s_engine.interpret import EmbeddedInterpreter
+
+    interpreter = EmbeddedInterpreter()
+    for file in sorted((FOLDER.parents[1] / "fresh").glob("records_*.yaml")):
+        if int(file.stem.split("_")[1]) in (4, 9, 13, 17, 31, 34):
+            continue  # never worked on
+        for row in yaml.load(file.read_text(encoding="utf-8"), Loader=yaml.CSafeLoader):
+            if int(row["id"].split("-")[-1]) % 3 == 0:
+                continue  # only counted
+            structure = interpreter.interpret(row["text"]).structure
+            if all(v.holds for v in judge(structure, row["expect"])):
+                yield _flat(row["text"]), short(with_units(structure, row["text"]))
+
+
+def _flat(text: str) -> str:
+    return " ".join(text.split()) if text.count("\n") < 3 else text.strip()

@@ -1,0 +1,60 @@
+"""S back into plain data with the quantities of its text, as the scenes have them."""
+
+import re
+from typing import Any
+
+from c2s_engine.interpret.learned.quantities import UNITS, si
+from c2s_engine.structure.components import Structure
+
+OF_FIELD = {
+    **dict.fromkeys(("speed", "limit", "speed_limit", "lateral_speed"), "m/s"), "rate": "m/s2",
+    **dict.fromkeys(("duration", "delay", "arrives", "later"), "s"),
+}  # fmt: skip
+"""The SI unit of a field; else m."""
+OF_TRIGGER = {"ttc": "s", "time": "s", "speed": "m/s"}
+OF_LIMIT = {"speed": "m/s", "acceleration": "m/s2", "deceleration": "m/s2", "lateral_acceleration": "m/s2",
+            "jerk": "m/s3", "ttc": "s", "time": "s"}  # fmt: skip
+KINDS = {
+    "m": "m cm km ft yd mi",
+    "s": "s ms min",
+    "m/s": "km/h kph mph m/s ft/s knots",
+    "m/s2": "m/s2 g",
+    "m/s3": "m/s3",
+}
+"""By SI unit, the units that measure the same."""
+WORDS = {"kph": "km/h", "kmh": "km/h", "metres": "m", "meters": "m", "metre": "m", "feet": "ft", "seconds": "s",
+         "second": "s", "sec": "s", "yards": "yd", "m/s²": "m/s2"}  # fmt: skip
+NOT_MEASURED = ("arms", "lanes", "lanes_over", "count")
+LEFT_OUT = ("component", "later", "model", "preset", "parameters", "map")
+_TOLD = re.compile(r"\b(\d+(?:\.\d+)?)[\s-]*([a-zA-Z/²]+[23]?)")
+
+
+def with_units(structure: Structure, text: str) -> dict[str, dict[str, Any]]:
+    """The components that say something, each quantity as the text has it ("30 mph") where it is found there."""
+    told = [
+        f"{number} {WORDS.get(unit, unit)}" for number, unit in _TOLD.findall(text) if WORDS.get(unit, unit) in UNITS
+    ]
+    found = {}
+    for c in structure.components:
+        said = _said(c.spec.model_dump(mode="json", exclude_defaults=True, exclude_none=True), told, "", {})
+        if said or c.id not in ("G", "T"):
+            found[c.id] = said
+    return found
+
+
+def _said(value: Any, told: list[str], name: str, around: dict[str, Any]) -> Any:
+    if isinstance(value, dict):
+        return {k: _said(v, told, k, value) for k, v in value.items() if k not in LEFT_OUT}
+    pair = isinstance(value, list) and len(value) == 2 and all(isinstance(v, int | float) for v in value)
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    if isinstance(value, list) and not pair:
+        return [_said(v, told, name, around) for v in value]
+    if not (pair or number) or name in NOT_MEASURED or value == 0:
+        return value
+    kind = str(around.get("kind"))
+    unit = OF_TRIGGER.get(kind, "m") if name == "value" else OF_FIELD.get(name, "m")
+    unit = OF_LIMIT.get(kind, "m") if name in ("minimum", "maximum") else unit
+    if pair:
+        return "{:g}-{:g} {}".format(*value, unit)
+    same = (t for t in told if t.split()[1] in KINDS[unit].split() and abs(si(t) - value) <= max(0.006 * value, 0.006))
+    return next(same, f"{value:g} {unit}")

@@ -1,0 +1,73 @@
+"""The reader's data and measures."""
+
+import random
+
+import pytest
+
+from c2s_bench.reading.agreement import agreement
+from c2s_bench.reading.pairs import judged, mirror, other_numbers, sloppy
+from c2s_bench.reading.scenes import scenes
+from c2s_bench.reading.units import with_units
+from c2s_engine.interpret.learned.notation import parse, short
+from c2s_engine.interpret.learned.reader import structure_of
+from c2s_engine.structure.edits import RemoveObject, SetField, apply
+
+SAID = "R: road\nE: car speed=50km/h\nO1: van at=left_lane along=ahead gap=12m ; cut_in side=right"
+TEXT = "Ego at 50 km/h; a van in the left lane, 12 m ahead, moves over to the right."
+
+
+@pytest.fixture(scope="module")
+def some():
+    return random.Random(2).sample(list(scenes()), 120)
+
+
+def test_the_scenes_are_some_thousand_each_told_twice_a_tenth_held_out():
+    found = list(scenes())
+    assert len({s.id for s in found}) == len(found) > 5000 and all(len(s.texts) == 2 for s in found)
+    assert 0.08 < sum(s.held for s in found) / len(found) < 0.12
+
+
+def test_a_scene_agrees_with_itself_and_with_its_objects_in_another_order(some):
+    for scene in some:
+        there = scene.structure
+        assert agreement(there, there).exact, scene.id
+        if len(there.objects) > 1 and len(there.objects) < 6:
+            turned = there.model_copy(update={"objects": tuple(reversed(there.objects))})
+            assert agreement(turned, there).exact, scene.id
+
+
+def test_what_is_missing_or_other_is_counted():
+    there = structure_of(parse(SAID), TEXT)
+    whole = agreement(there, there)
+    slower = apply(there, SetField(component="E", path="speed", value=5.0))
+    assert (agreement(slower, there).agreed, agreement(slower, there).read) == (whole.agreed - 1, whole.read)
+    alone = apply(there, RemoveObject(component="O1"))
+    assert not agreement(alone, there).objects and agreement(alone, there).agreed < whole.agreed
+
+
+def test_mirrored_pairs():
+    text, said = mirror(TEXT, SAID)
+    assert "right lane" in text and "to the left" in text and "at=right_lane" in said and "side=left" in said
+    assert mirror(text, said) == (TEXT, SAID)
+    assert mirror("The van has the right of way.", SAID) is None
+
+
+def test_other_numbers_stand_in_text_and_s_alike():
+    text, said = other_numbers(TEXT, SAID, random.Random(1))
+    speed = parse(said)["E"]["speed"].removesuffix("km/h")
+    assert speed != "50" and f"at {speed} km/h" in text
+
+
+def test_sloppy_texts_keep_their_numbers():
+    for seed in range(20):
+        found = sloppy(TEXT, random.Random(seed))
+        assert "50" in found and "12" in found
+
+
+def test_quantities_are_those_of_the_text():
+    said = dict(judged())
+    assert len(said) == 80 and any("mph" in s for s in said.values())
+    structure = structure_of(parse("E: car speed=30mph\nO1: van at=ahead gap=20m"), "")
+    found = with_units(structure, "At 30 mph, a van 60 ft away.")
+    assert found["E"]["speed"] == "30 mph" and found["O1"]["placement"]["gap"] == "20 m"
+    assert parse(short(found))["E"]["speed"] == "30mph"

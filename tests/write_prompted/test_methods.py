@@ -68,7 +68,7 @@ async def program_of(name: str, text: str, given: MethodTools):
 def test_every_name_makes_a_method():
     client = OllamaClient(ModelSettings(model="small", host="http://127.0.0.1:9"))
     given = tools(client, search=Library())
-    assert len(names()) == 20
+    assert len(names()) == 21
     for name in [*names(), "nl2scenic", "chat2scenic:C1+repair"]:
         assert method(name, given).name
     for name in ("chat2scenic:C13", "embedded+repair", "magic", "nl2scenic:many"):

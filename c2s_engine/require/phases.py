@@ -51,8 +51,6 @@ def required(scene: Scene) -> Iterator[Requirement]:
             values["change"] = change
         if phase.action == "stop" and _after_contact(scene, actor, i):
             values["rolls_out"] = True
-        elif phase.action == "stop" and i + 1 == len(scene.actors[actor].phases) and _struck(scene, actor):
-            values["struck"] = True
         if phase.duration is not None and scene.stated(_cid(actor), f"{path}.duration"):
             values["duration"] = low(phase.duration)
         towards = f" ({scene.named(phase.target)})" if phase.target else ""
@@ -91,11 +89,6 @@ def _after_contact(scene: Scene, actor: str, index: int) -> bool:
     """Whether it is after a contact that somebody does what a phase says: its own, or one that it waits for."""
     phases = scene.actors[actor].phases[: index + 1]
     return any(p.action == "collide" or p.trigger is not None and p.trigger.kind == "contact" for p in phases)
-
-
-def _struck(scene: Scene, actor: str) -> bool:
-    """Whether S says that somebody runs into it: that may be before it stands."""
-    return any(p.action == "collide" and (p.target or EGO) == actor and who != actor for who, _, p in scene.phases())
 
 
 def _change(scene: Scene, actor: str, i: int) -> float | None:
@@ -186,8 +179,6 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
         v = requirement.values
         motion = motion.beyond_contact if "rolls_out" in v else motion
         times = by_speed(motion, action, float(v.get("duration", 1.0)), float(v.get("change", np.inf)))  # type: ignore[arg-type]
-        if "struck" in v and not times and motion.contact is not None:  # it was about to
-            times = by_speed(motion, "brake", 1.0, np.inf)
     else:
         partners = {o.name for o in evidence.members(requirement.other)} if requirement.other else None
         events = requirement.values["events"]

@@ -162,9 +162,8 @@ def steady(requirement: Requirement, evidence: Evidence) -> Result:
             if motion.kind in ("pedestrian", "animal") and motion.smooth[max(first - 1, 0)] < STANDING:
                 continue  # on foot one sets out at once
             change = abs(float(motion.smooth[last] - motion.smooth[first]))
-            if motion.time[first] >= gone:
-                continue
-            if motion.time[last] < until and change > worst and not explained(motion, evidence, first, last):
+            told = motion.time[last] < until and motion.time[first] < gone
+            if told and change > worst and not explained(motion, evidence, first, last):
                 worst, when = change, float(motion.time[first])
     return scored(requirement, (limit - worst) / limit, said, f"{worst:.1f} m/s", when)
 

@@ -5,7 +5,7 @@ from collections.abc import Awaitable, Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from c2s_engine.solve.moves import Move, ending, moves
+from c2s_engine.solve.moves import Move, moves
 from c2s_engine.solve.unknowns import Field, chosen, unknowns
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.requirements import Requirement, Result
@@ -69,19 +69,6 @@ async def solve(first: Outcome, evaluate: Evaluate, room: float, *, most: int = 
         if better is None:
             break
         best = better
-    return await _soon_over(best, evaluate, room, freed) if tried >= most else best
-
-
-async def _soon_over(best: Outcome, evaluate: Evaluate, room: float, freed: tuple[Field, ...]) -> Outcome:
-    """The outcome with the length that its run needs, where the search ended before it was given that."""
-    try:
-        open_ = unknowns(best.structure, usual_values(best.structure, room), freed)
-    except ResolveError:
-        return best
-    for move in ending(best.failing, open_):
-        found = await evaluate(_with(best.structure, move))
-        if found is not None and found.score > best.score:
-            return found
     return best
 
 

@@ -56,11 +56,11 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     if spec.reaction == "yield" and cids:  # whom it let pass may then be ahead
         passed = {p.action for p in spec.phases} & {*ASIDE, "overtake", "oncoming"}
         still = [c for c in cids if is_static(actor.structure[c].spec)]  # type: ignore[arg-type]
-        moving = [c for c in cids if c not in still or not passed]
+        braked_for = [c for c in cids if c not in still or not passed]
         if _waits_for(spec, spec.react_to or ""):  # it stops short of their ways itself
-            moving = [c for c in moving if _comes_by(actor, c) not in {*APPROACH_ANGLE} - {"circulating"}]
-        seen = once_seen(actor.structure, moving)
-        return _around(statements, seen, 3, _brakes(seen)) if moving else statements
+            braked_for = [c for c in braked_for if _comes_by(actor, c) not in {*APPROACH_ANGLE} - {"circulating"}]
+        seen = once_seen(actor.structure, braked_for)
+        return _around(statements, seen, 3, _brakes(seen)) if braked_for else statements
     leads = [c for c in cids if c == spec.react_to and _position(actor.structure, c) == "ahead"]
     calm = {"follow", "keep_lane", "overtake", "collide"}
     if spec.reaction == "follow" and leads and not {p.action for p in spec.phases} <= calm:

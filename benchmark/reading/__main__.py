@@ -1,6 +1,6 @@
 """`python -m c2s_bench.reading read | run`: how well scenes are read; how many with S by hand run as required.
 
-read: the embedded interpreter (or, with --host, the learned reader at that Ollama) on wordings of scenes held out of
+read: the embedded interpreter (or, with --reader, the learned reader) on wordings of scenes held out of
 training. run: S by hand to a run; the share in which all that S requires is seen, and what fails most.
 """
 
@@ -9,45 +9,35 @@ import asyncio
 import random
 import re
 from collections import Counter
-from collections.abc import Awaitable, Callable
+from collections.abc import Callable
 
 from c2s_bench.reading.agreement import Agreement, agreement
 from c2s_bench.reading.scenes import Scene, scenes
 from c2s_engine.api import Engine
 from c2s_engine.config import Settings
 from c2s_engine.interpret import EmbeddedInterpreter
-from c2s_engine.interpret.learned import LearnedReader
-from c2s_engine.models import ModelSettings, OllamaClient
-from c2s_engine.models.errors import READER
+from c2s_engine.interpret.learned import learned
 from c2s_engine.report.gather import Told, of_text
 from c2s_engine.structure.components import Structure
 
-Read = Callable[[str], Awaitable[Structure]]
+Read = Callable[[str], Structure]
 
 
-async def read(chosen: list[Scene], host: str) -> None:
+def read(chosen: list[Scene], by_model: bool) -> None:
     """Print how the scenes' first wordings are read."""
     embedded = EmbeddedInterpreter()
-    if not host:
 
-        async def by_rule(text: str) -> Structure:
-            return embedded.interpret(text).structure
+    def one(text: str) -> Structure:
+        return learned(text, embedded)[1].structure if by_model else embedded.interpret(text).structure
 
-        return await _compared(chosen, by_rule)
-    async with OllamaClient(ModelSettings(model=READER, host=host)) as client:
-        reader = LearnedReader(client, embedded)
-
-        async def by_model(text: str) -> Structure:
-            return (await reader.read(text)).structure
-
-        return await _compared(chosen, by_model)
+    _compared(chosen, one)
 
 
-async def _compared(chosen: list[Scene], one: Read) -> None:
+def _compared(chosen: list[Scene], one: Read) -> None:
     found: list[Agreement] = []
     for scene in chosen:
         try:
-            found.append(agreement(await one(scene.texts[0]), scene.structure))
+            found.append(agreement(one(scene.texts[0]), scene.structure))
         except ValueError as error:  # a text that the interpreter refuses
             print(f"{scene.id}: {error}")
             found.append(Agreement(0, 0, agreement(scene.structure, scene.structure).there, False))
@@ -82,12 +72,15 @@ def main() -> None:
     parser.add_argument("--n", type=int, default=100, help="how many scenes, drawn by --seed")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--trained", action="store_true", help="of those trained on, instead of those held out")
-    parser.add_argument("--host", default="", help="read: the learned reader at this Ollama")
+    parser.add_argument("--reader", action="store_true", help="read: by the learned reader")
     given = parser.parse_args()
     chosen = [s for s in scenes() if s.held is not given.trained]
     random.Random(given.seed).shuffle(chosen)
     chosen = chosen[: given.n]
-    asyncio.run(read(chosen, given.host) if given.what == "read" else run(chosen))
+    if given.what == "read":
+        read(chosen, given.reader)
+    else:
+        asyncio.run(run(chosen))
 
 
 if __name__ == "__main__":

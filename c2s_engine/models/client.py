@@ -7,7 +7,6 @@ import asyncio
 import time
 from collections.abc import AsyncIterator, Callable
 from contextlib import suppress
-from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -120,16 +119,6 @@ class OllamaClient:
                     yield step.status or "", int(step.completed or 0), int(step.total or 0)
             except ollama.ResponseError as error:
                 raise ModelNotFetched(model, self.settings.host, str(error.error)) from None
-
-    async def adapt(self, model: str, base: str, adapter: Path) -> None:
-        """Make a model of the host's `base` with a LoRA adapter (GGUF); prompts go to it as they are. Raises
-        ModelError."""
-        with faults.translated(self.settings, base):
-            digest = await self.api.create_blob(adapter)
-            await self.api.create(
-                model=model, from_=base, adapters={adapter.name: digest}, template="{{ .Prompt }}",
-                parameters={"temperature": 0, "num_ctx": 2048},
-            )  # fmt: skip
 
     async def capabilities(self) -> frozenset[str]:
         """What Ollama says the model can do ("completion", "thinking", ...); asked once."""

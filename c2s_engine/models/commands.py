@@ -1,4 +1,4 @@
-"""`c2s models list | pull | reader | probe | suggest`: what is at Ollama's host, fetching a model, trying one out."""
+"""`c2s models list | pull | probe | suggest`: what is at Ollama's host, fetching a model, trying one out."""
 
 import asyncio
 from typing import TYPE_CHECKING, Annotated
@@ -8,17 +8,13 @@ import yaml
 
 from c2s_engine.config import ConfigError, load_settings
 from c2s_engine.models.client import OllamaClient
-from c2s_engine.models.errors import READER, ModelError
+from c2s_engine.models.errors import ModelError
 from c2s_engine.models.settings import settings_for
-from c2s_engine.paths import shipped
 
 if TYPE_CHECKING:
     from c2s_engine.models.probe import Tried
 
-app = typer.Typer(help="Language models at Ollama: list, pull, reader, probe, suggest.", no_args_is_help=True)
-
-BASE = "smollm2:135m"
-"""Ollama's name of the model that the learned reader's adapter was trained over."""
+app = typer.Typer(help="Language models at Ollama: list, pull, probe, suggest.", no_args_is_help=True)
 
 Host = Annotated[str, typer.Option("--host", help="Where Ollama listens; default OLLAMA_HOST.")]
 
@@ -67,25 +63,6 @@ def pull(model: str, host: Host = "") -> None:
                     typer.echo(line)
                     said = line
         typer.echo(f"{model} is there.")
-
-    _run(work())
-
-
-@app.command()
-def reader(
-    base: Annotated[str, typer.Option(help="SmolLM2-135M-Instruct at the host; fetched where it is not there.")] = BASE,
-    host: Host = "",
-) -> None:
-    """Make the learned reader's model (c2s-reader) at the host: SmolLM2-135M with the adapter that c2s brings."""
-
-    async def work() -> None:
-        async with _client(base, host) as client:
-            if await client.installed(base) is None:
-                typer.echo(f"Fetching {base}")
-                async for _ in client.pull(base):
-                    pass
-            await client.adapt(READER, base, shipped("reader") / "reader.gguf")
-        typer.echo(f"{READER} is there: c2s generate --method reader.")
 
     _run(work())
 

@@ -1,8 +1,5 @@
 """What can go wrong with a language model: one class and one sentence each, for the user as it stands."""
 
-READER = "c2s-reader"
-"""The name of the learned reader at Ollama's host: `c2s models reader` makes it."""
-
 
 class ModelError(Exception):
     """Base of all faults of a language model.
@@ -54,8 +51,7 @@ class ModelMissing(ModelError):
     service = True
 
     def __init__(self, model: str, host: str) -> None:
-        how = "models reader" if model == READER else f"models pull {model}"
-        super().__init__(f"Ollama at {host} has no model {model}: get it with `c2s {how}`.")
+        super().__init__(f"Ollama at {host} has no model {model}: get it with `c2s models pull {model}`.")
 
 
 class ModelNotFetched(ModelError):

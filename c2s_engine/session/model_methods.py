@@ -5,7 +5,6 @@ from collections import Counter
 from typing import Any
 
 from c2s_engine.check.client import CheckError
-from c2s_engine.models.errors import READER as READER_MODEL
 from c2s_engine.models.errors import ModelError
 from c2s_engine.session.methods import Interpreted, Written
 from c2s_engine.session.model_tools import client_for, method_tools
@@ -21,7 +20,7 @@ from c2s_engine.write.loop import Evaluate, Outcome
 from c2s_engine.write.typed import TypedWriter
 
 READER = "reader"
-"""The method of the learned reader, which has a model of its own."""
+"""The method of the learned reader."""
 
 
 def model_method(name: str, tools: Tools) -> "ModelMethod":
@@ -41,8 +40,6 @@ class ModelMethod:
 
     def __init__(self, name: str, tools: Tools):
         self.name, self.tools, self.settings = name, tools, tools.settings
-        if name == READER and not self.settings.model:
-            self.settings = self.settings.model_copy(update={"model": READER_MODEL})
         self.usage: Counter[str] = Counter()
         self.needs_place = name in (READER, "typed", "mixed")
         self.reads_sentences = name.startswith(("prompted", "chat2scenic", "chatscene"))

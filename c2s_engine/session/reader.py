@@ -99,6 +99,11 @@ async def read(text: str, tools: Any) -> Structure:
     return await _asked(tools, "interpret", text)
 
 
+async def read_learned(text: str, tools: Any) -> tuple[Any, Any]:
+    """The learned reader's answer to a text, and what is read of it; raises Unreadable."""
+    return await _asked(tools, "learned", text)
+
+
 async def phrases(text: str, tools: Any) -> list[tuple[tuple[int, int], str]]:
     """The phrases of a text by their spans, longer ones first, each with what is left of the text without it."""
     return await _asked(tools, "phrases", text)
@@ -125,10 +130,13 @@ def _answer(name: str, arguments: tuple[Any, ...]) -> Any:
 
     if name == "phrases":
         return without_each(*arguments)
-    if name == "interpret":
+    if name in ("interpret", "learned"):
+        from c2s_engine.interpret import learned
+
+        embedded, text = EmbeddedInterpreter(), arguments[0]
         try:
-            return EmbeddedInterpreter().interpret(*arguments).structure
-        except (InterpretError, InterpreterFault) as error:
+            return learned.learned(text, embedded) if name == "learned" else embedded.interpret(text).structure
+        except (InterpretError, InterpreterFault, learned.ReaderError) as error:
             raise Unreadable(str(error)) from None
     text, structure, last = arguments
     try:

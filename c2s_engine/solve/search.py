@@ -1,6 +1,5 @@
 """A bounded climb: what is tried is kept where more of what is required is seen, or by more."""
 
-import time
 from collections.abc import Awaitable, Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -16,8 +15,6 @@ MOST = 12
 """Runs that one search may cost."""
 ENDING = ("soon_over",)
 """Checks of the run's length, which is chosen exactly."""
-SECONDS = 15.0
-"""s after which none is begun: far more than they take, so that the same S gives the same choice."""
 
 
 @dataclass(frozen=True)
@@ -48,17 +45,18 @@ Evaluate = Callable[[Structure], Awaitable[Outcome | None]]
 
 
 async def solve(first: Outcome, evaluate: Evaluate, room: float, *, most: int = MOST,
-                seconds: float = SECONDS, freed: tuple[Field, ...] = ()) -> Outcome:  # fmt: skip
-    """The best outcome found: `first` where nothing is better. The same S gives the same search.
+                freed: tuple[Field, ...] = ()) -> Outcome:  # fmt: skip
+    """The best outcome found: `first` where nothing is better. It is bounded in runs and not in time: the same S gives
+    the same program on a slow machine, too.
 
     `freed`: fields that the text says and that may be changed nevertheless."""
-    best, tried, until = first, 0, time.monotonic() + seconds
+    best, tried = first, 0
     seen = {_open_values(first.structure, room, freed)}
-    while best.failing and tried < most and time.monotonic() < until:
+    while best.failing and tried < most:
         better = None
         for changed in _candidates(best, room, freed):
             key = _open_values(changed, room, freed)
-            if key in seen or tried >= most or time.monotonic() >= until:
+            if key in seen or tried >= most:
                 continue
             seen.add(key)
             tried += 1

@@ -25,7 +25,7 @@ from c2s_engine.write.prompted.configuration import names as configurations
 from c2s_engine.write.prompted.header import Ground
 from c2s_engine.write.prompted.repair import Search
 from c2s_engine.write.typed import TypedWriter
-from c2s_engine.write.typed_method import ReaderMethod, Resolve, TypedMethod
+from c2s_engine.write.typed_method import Learned, ReaderMethod, Resolve, TypedMethod
 from c2s_engine.write.whole import WholeOrRendered
 
 OnEvent = Callable[[Progress], None]
@@ -41,6 +41,7 @@ class MethodTools:
 
     embedded: Any
     client: OllamaClient | None = None
+    learned: Learned | None = None
     search: Search | None = None
     embed: Embed | None = None
     check: Check | None = None
@@ -103,7 +104,7 @@ def names() -> list[str]:
 
 def needs_model(name: str) -> bool:
     """Whether a method cannot do without a model."""
-    return name not in ("embedded", "chatscene")
+    return name not in ("embedded", "reader", "chatscene")
 
 
 def retrieves(name: str) -> bool:
@@ -130,9 +131,10 @@ def method(name: str, tools: MethodTools) -> Method:
     if kind == "chatscene":
         assert tools.search is not None, "chatscene needs a retriever"
         return _Plainly(ChatScene(client, tools.search, tools.embedded, tools.ground), name)
-    assert client is not None
     if kind == "reader":
-        return ReaderMethod(client, tools.embedded, tools.resolve, tools.writer, tools.check)
+        assert tools.learned is not None, "the learned reader needs what asks it"
+        return ReaderMethod(tools.learned, tools.embedded, tools.resolve, tools.writer, tools.check)
+    assert client is not None
     if kind == "typed":
         return TypedMethod(client, tools.embedded, tools.resolve, tools.writer, tools.check)
     if kind == "nl2scenic":

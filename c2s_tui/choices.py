@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
 METHODS = [
     Choosable("embedded", "embedded", "no language model: nothing to install, fastest"),
+    Choosable("reader", "reader", "a small model trained to read scenarios, on this machine: slower, needs no server"),
     Choosable("typed", "typed", "a language model fills in S; the code is written from its fields"),
     Choosable("mixed", "mixed", "like typed; what no field can express, the model writes as code"),
     *(Choosable(f"chat2scenic:C{i}", f"C{i}", f"configuration {i} of Chat2Scenic: a language model writes the code")

@@ -22,7 +22,7 @@ MENDABLE = ("phase", "order", "place", "outcome", "conflict")
 
 def can_improve(state: dict[str, Any]) -> bool:
     """Whether the loop was asked for, and the runs of a program that ran left something to show."""
-    if not state.get("improve") or state.get("method") in (None, "embedded"):
+    if not state.get("improve") or state.get("method") in (None, "embedded", "reader"):
         return False
     facts = tuple(RunFacts.model_validate(f) for f in state.get("report", {}).get("facts", []))
     return any(f.ran for f in facts) and bool(_of_state(state).differences)

@@ -9,13 +9,14 @@ from c2s_engine.check.protocol import PlacesRequest
 from c2s_engine.maps.library import SHIPPED
 from c2s_engine.session.agreeing import agreeing
 from c2s_engine.session.places import map_choice
-from c2s_engine.session.reader import Unreadable, read
+from c2s_engine.session.reader import Unreadable, read, read_learned
 from c2s_engine.session.steps import Emit, Tools, timed, write
+from c2s_engine.solve.defaults import with_usual_reaction
 from c2s_engine.structure.components import ComponentId, Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.edits import Edit
 from c2s_engine.structure.program import Program
-from c2s_engine.structure.progress import Say, StageDone, StageStarted
+from c2s_engine.structure.progress import Say, StageDone, StageStarted, Usage
 from c2s_engine.write import by_hand
 from c2s_engine.write.typed import TypedWriter
 
@@ -54,7 +55,7 @@ class EmbeddedMethod:
         started = time.perf_counter()
         warming = asyncio.create_task(_warm(self.tools))
         try:
-            found = await read(text, self.tools)
+            found = await self.read(text, emit)
         except Unreadable as error:
             result = timed("interpret", started, (Diagnostic(stage="interpret", message=str(error), code="text"),))
             emit(StageDone(result=result))
@@ -67,7 +68,11 @@ class EmbeddedMethod:
         if found.not_understood:
             words = "; ".join(f'"{n.text}"' for n in found.not_understood[:5])
             emit(Say(text=f"Not understood: {words}.", severity="warning"))
-        return found, [], {}, result
+        return found, [], self.account(found), result
+
+    async def read(self, text: str, emit: Emit) -> Structure:
+        """S of a text; raises Unreadable."""
+        return await read(text, self.tools)
 
     async def write(
         self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str
@@ -86,6 +91,29 @@ class EmbeddedMethod:
         return {"tokens": 0}
 
 
+class ReaderMethod(EmbeddedMethod):
+    """The learned reader instead of the embedded interpreter."""
+
+    name = "reader"
+
+    def __init__(self, tools: Tools):
+        super().__init__(tools)
+        self.tokens = 0
+
+    async def read(self, text: str, emit: Emit) -> Structure:
+        """S of a text, with the reaction that is usual where it says none; raises Unreadable."""
+        answer, reading = await read_learned(text, self.tools)
+        self.tokens += answer.prompt_tokens + answer.answer_tokens
+        emit(Usage(purpose="read", prompt_tokens=answer.prompt_tokens, answer_tokens=answer.answer_tokens))
+        for note in reading.notes:
+            emit(Say(text=note, severity="warning"))
+        return with_usual_reaction(reading.structure.model_copy(update={"text": text}))
+
+    def account(self, structure: Structure | None) -> dict[str, Any]:
+        """The tokens that reading took."""
+        return {"tokens": self.tokens}
+
+
 async def _warm(tools: Tools) -> None:
     """Have the check server read the usual map while the text is interpreted."""
     with contextlib.suppress(Exception):
@@ -95,8 +123,9 @@ async def _warm(tools: Tools) -> None:
 
 def method_named(name: str, tools: Tools) -> Method:
     """The method of that name; raises UnknownMethod."""
-    if name == "embedded":
-        return EmbeddedMethod(tools)
+    for kind in (EmbeddedMethod, ReaderMethod):
+        if name == kind.name:
+            return kind(tools)
     from c2s_engine.session.model_methods import model_method
 
     return model_method(name, tools)

@@ -10,7 +10,6 @@ from c2s_engine.session.methods import Interpreted, Written
 from c2s_engine.session.model_tools import client_for, method_tools
 from c2s_engine.session.places import map_choice
 from c2s_engine.session.steps import Emit, Tools, timed
-from c2s_engine.solve.defaults import with_usual_reaction
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.edits import Edit
@@ -18,9 +17,6 @@ from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import ProgramChanged, StageDone, StageStarted, Usage
 from c2s_engine.write.loop import Evaluate, Outcome
 from c2s_engine.write.typed import TypedWriter
-
-READER = "reader"
-"""The method of the learned reader."""
 
 
 def model_method(name: str, tools: Tools) -> "ModelMethod":
@@ -41,7 +37,7 @@ class ModelMethod:
     def __init__(self, name: str, tools: Tools):
         self.name, self.tools, self.settings = name, tools, tools.settings
         self.usage: Counter[str] = Counter()
-        self.needs_place = name in (READER, "typed", "mixed")
+        self.needs_place = name in ("typed", "mixed")
         self.reads_sentences = name.startswith(("prompted", "chat2scenic", "chatscene"))
 
     async def interpret(self, text: str, structure: Structure, emit: Emit) -> Interpreted:
@@ -56,8 +52,6 @@ class ModelMethod:
         result = timed("interpret", started)
         emit(StageDone(result=result))
         structure = reading.structure.model_copy(update={"text": text})
-        if self.name == READER:  # which says what the text says and no more
-            structure = with_usual_reaction(structure)
         return structure, [], self.account(None), result
 
     async def write(

@@ -7,7 +7,6 @@ from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits, Upto
 from c2s_engine.config import Settings
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.settings import settings_for
-from c2s_engine.session import reader
 from c2s_engine.session.places import resolve
 from c2s_engine.session.steps import Emit, Tools
 from c2s_engine.structure.components import Structure
@@ -50,11 +49,8 @@ def method_tools(
     async def embed(texts: Sequence[str]) -> list[list[float]]:
         return await (await ready(tools, emit)).embed(list(texts))
 
-    async def learned(text: str) -> Any:
-        return await reader.read_learned(text, tools)
-
     return MethodTools(
-        embedded=EmbeddedInterpreter(), client=client, learned=learned, search=search, embed=embed,
+        embedded=EmbeddedInterpreter(), client=client, search=search, embed=embed,
         check=check if folder else None, fix=apply_fixes, resolve=places, writer=writer,
     )  # fmt: skip
 

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from c2s_engine.interpret.learned import learned
 from c2s_engine.interpret.llm.typed import Reading
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.errors import ModelNotSet
@@ -25,7 +26,7 @@ from c2s_engine.write.prompted.configuration import names as configurations
 from c2s_engine.write.prompted.header import Ground
 from c2s_engine.write.prompted.repair import Search
 from c2s_engine.write.typed import TypedWriter
-from c2s_engine.write.typed_method import Learned, ReaderMethod, Resolve, TypedMethod
+from c2s_engine.write.typed_method import Resolve, TypedMethod
 from c2s_engine.write.whole import WholeOrRendered
 
 OnEvent = Callable[[Progress], None]
@@ -41,7 +42,6 @@ class MethodTools:
 
     embedded: Any
     client: OllamaClient | None = None
-    learned: Learned | None = None
     search: Search | None = None
     embed: Embed | None = None
     check: Check | None = None
@@ -67,14 +67,14 @@ class Method(Protocol):
 
 
 class EmbeddedMethod:
-    """No model at all."""
+    """No model that has to be served: the embedded interpreter, or the learned reader."""
 
-    name = "embedded"
-
-    def __init__(self, tools: MethodTools) -> None:
-        self.tools = tools
+    def __init__(self, tools: MethodTools, name: str) -> None:
+        self.tools, self.name = tools, name
 
     async def interpret(self, text: str, on_event: OnEvent | None = None) -> Reading:
+        if self.name == "reader":
+            return learned(text, self.tools.embedded)[1]
         return Reading(structure=self.tools.embedded.interpret(text).structure)
 
     async def write(self, structure: Structure, on_event: OnEvent | None = None) -> Structure:
@@ -126,14 +126,11 @@ def method(name: str, tools: MethodTools) -> Method:
     client = tools.client if tools.client is not None and tools.client.settings.model else None
     if client is None and needs_model(name):
         raise ModelNotSet
-    if kind == "embedded":
-        return EmbeddedMethod(tools)
+    if kind in ("embedded", "reader"):
+        return EmbeddedMethod(tools, name)
     if kind == "chatscene":
         assert tools.search is not None, "chatscene needs a retriever"
         return _Plainly(ChatScene(client, tools.search, tools.embedded, tools.ground), name)
-    if kind == "reader":
-        assert tools.learned is not None, "the learned reader needs what asks it"
-        return ReaderMethod(tools.learned, tools.embedded, tools.resolve, tools.writer, tools.check)
     assert client is not None
     if kind == "typed":
         return TypedMethod(client, tools.embedded, tools.resolve, tools.writer, tools.check)

@@ -1,16 +1,15 @@
-"""Methods by which a model says S: what contradicts itself falls back, the typed writer renders."""
+"""The typed method: a model fills forms, what contradicts itself falls back, the typed writer renders."""
 
 from collections.abc import Awaitable, Callable
 from typing import Any
 
-from c2s_engine.interpret.learned import Answer
 from c2s_engine.interpret.llm import fallback
 from c2s_engine.interpret.llm.typed import Reading, TypedReader
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.structure.components import Assumption, ComponentId, Structure
 from c2s_engine.structure.diagnostics import Diagnostic
 from c2s_engine.structure.program import assemble
-from c2s_engine.structure.progress import Progress, Say, Usage
+from c2s_engine.structure.progress import Progress, Say
 from c2s_engine.structure.regenerate import regenerate
 from c2s_engine.write import by_hand
 from c2s_engine.write.prompted.checking import Check, first_error
@@ -21,39 +20,32 @@ Resolve = Callable[[Structure], Awaitable[Diagnostic | None]]
 """Whether S can be written on a map at hand: what stands against it, or nothing."""
 
 
-Learned = Callable[[str], Awaitable[tuple[Answer, Reading]]]
-"""What the learned reader answers to a text, and what is read of it."""
-
-
-class RenderedMethod:
-    """A reading of S by a model, rendered.
-
-    `resolve` says whether S has a place on a map; without it only contradictions between specs are found.
+class TypedMethod:
+    """`resolve` says whether S has a place on a map; without it only contradictions between specs are found.
 
     With `check`, what was written is sampled, and a component that no scene can be found with falls back too.
     """
 
+    name = "typed"
+
     def __init__(
         self,
+        client: OllamaClient,
         embedded: Any,
         resolve: Resolve | None = None,
         writer: TypedWriter | None = None,
         check: Check | None = None,
     ) -> None:
-        self.embedded, self.writer, self.check = embedded, writer, check
+        self.client, self.embedded, self.writer, self.check = client, embedded, writer, check
         self.resolve = resolve or _contradiction
 
     async def interpret(self, text: str, on_event: OnEvent | None = None) -> Reading:
         """What was read with the model, made to resolve: a component that stands against the others falls back."""
-        reading = await self.read(text, on_event)
+        reading = await TypedReader(self.client, self.embedded, on_event).read(text)
         settled = await self.settle(reading)
         if on_event and settled is not reading:
             on_event(Say(text=settled.notes[-1], severity="warning"))
         return settled
-
-    async def read(self, text: str, on_event: OnEvent | None) -> Reading:
-        """S as the model has it."""
-        raise NotImplementedError
 
     async def settle(self, reading: Reading) -> Reading:
         """The reading with the fewest further fallbacks under which it resolves; at worst the embedded one."""
@@ -120,39 +112,6 @@ class RenderedMethod:
         assert self.check is not None
         program = assemble(structure)
         return first_error(await self.check(program.text, program.spans, "sample"))
-
-
-class TypedMethod(RenderedMethod):
-    """A model at Ollama fills forms."""
-
-    name = "typed"
-
-    def __init__(self, client: OllamaClient, *tools: Any) -> None:
-        super().__init__(*tools)
-        self.client = client
-
-    async def read(self, text: str, on_event: OnEvent | None) -> Reading:
-        """S as the model fills it in."""
-        return await TypedReader(self.client, self.embedded, on_event).read(text)
-
-
-class ReaderMethod(RenderedMethod):
-    """The learned reader says S."""
-
-    name = "reader"
-
-    def __init__(self, learned: Learned, *tools: Any) -> None:
-        super().__init__(*tools)
-        self.learned = learned
-
-    async def read(self, text: str, on_event: OnEvent | None) -> Reading:
-        """S as the learned reader answers."""
-        answer, found = await self.learned(text)
-        if on_event:
-            on_event(Usage(purpose="read", prompt_tokens=answer.prompt_tokens, answer_tokens=answer.answer_tokens))
-            for note in found.notes:
-                on_event(Say(text=note, severity="warning"))
-        return found
 
 
 TRIES = 3

@@ -23,7 +23,7 @@ async def test_a_few_draws(engine):
 
 @pytest.mark.full
 async def test_many_draws_run(engine):
-    assert await all_pass(engine, range(1000, 1060)) >= 0.75
+    assert await all_pass(engine, range(1000, 1020)) >= 0.75
 
 
 @pytest.mark.nightly
@@ -34,7 +34,7 @@ async def test_thousands_of_draws(engine):
     assert figures["iterations"]["median"] < 30
 
 
-@pytest.mark.full
+@pytest.mark.full(one_of=3)
 @pytest.mark.parametrize("names", closed.pairs()[::37], ids=lambda names: "-".join(names.values()))
 async def test_some_pairs_run(engine, names):
     assert await closed.pair_outcome(engine, names) == "ok"

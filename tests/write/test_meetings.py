@@ -14,7 +14,7 @@ from tests.write.test_golden import structure
 CASES = yaml.safe_load((Path(__file__).parent / "meetings.yaml").read_text(encoding="utf-8"))
 
 
-@pytest.mark.full
+@pytest.mark.full(one_of=3)
 @pytest.mark.parametrize("name", CASES)
 async def test_they_meet_as_said(engine, name):
     case = CASES[name]

@@ -7,7 +7,6 @@ import pytest
 
 from c2s_engine import paths
 from c2s_engine.interpret.embedded import EmbeddedInterpreter
-from c2s_engine.interpret.learned import learned
 from c2s_engine.models import ModelSettings, OllamaClient, errors
 from c2s_engine.session.places import resolve
 from c2s_engine.structure.components import Structure
@@ -57,10 +56,7 @@ def _words(text: str) -> set[str]:
 
 
 def tools(client=None, **more) -> MethodTools:
-    async def asked(text: str):
-        return learned(text, EmbeddedInterpreter())
-
-    return MethodTools(embedded=EmbeddedInterpreter(), client=client, learned=asked, **more)
+    return MethodTools(embedded=EmbeddedInterpreter(), client=client, **more)
 
 
 async def program_of(name: str, text: str, given: MethodTools):

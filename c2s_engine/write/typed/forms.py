@@ -9,8 +9,9 @@ from c2s_engine.write.typed.passing import passing
 from c2s_engine.write.typed.pockets import own_ways
 from c2s_engine.write.typed.sequence import in_sequence
 from c2s_engine.write.typed.slowing import slowing
-from c2s_engine.write.typed.tables import OBSTRUCTING, TURN, is_static, is_vehicle
+from c2s_engine.write.typed.tables import OBSTRUCTING, TURN, is_static, is_vehicle, is_walker
 from c2s_engine.write.typed.threats import IN_WAY, passed_over
+from c2s_engine.write.typed.usual import crosses, uses_crosswalk
 from c2s_engine.write.typed.waiting import together
 
 AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
@@ -22,6 +23,10 @@ def normal(structure: Structure) -> Structure:
     structure = own_ways(beside_ego(together(in_sequence(slowing(structure)))))
     place, ego = structure.place.spec, structure.ego.spec
     assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
+    if place.kind in ("road", "straight") and place.crosswalk and any(map(uses_crosswalk, _objects(structure))):
+        place = place.model_copy(update={"kind": "crosswalk"})
+    stops = tuple(_for_whom(p, ego, structure) for p in ego.phases[:-1])
+    structure = structure.with_spec("E", phases=(*stops, *ego.phases[-1:]))
     turn = _turn(place, ego)
     for component in structure.objects:
         spec = component.spec
@@ -43,13 +48,27 @@ def normal(structure: Structure) -> Structure:
     return facing(passing(standing(structure), place), place)
 
 
+def _for_whom(phase: Phase, ego: EgoSpec, structure: Structure) -> Phase:
+    """A stop of ego's, where S says neither before whom nor where, and drives on after it, is one before who crosses
+    and ego reacts to."""
+    open_ = phase.action == "stop" and not (phase.target or phase.trigger)
+    other = structure[ego.react_to].spec if open_ and ego.react_to and ego.react_to in structure else None
+    if isinstance(other, ObjectSpec) and crosses(other) and is_walker(other.type):
+        return phase.model_copy(update={"target": ego.react_to})
+    return phase
+
+
+def _objects(structure: Structure) -> list[ObjectSpec]:
+    return [c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)]
+
+
 def _in_the_way(cid: str, structure: Structure) -> bool:
     """Whether somebody hits what lies there, or ego has to do something about it."""
     spec, ego = structure[cid].spec, structure.ego.spec
     assert isinstance(spec, ObjectSpec) and isinstance(ego, EgoSpec)
     if passed_over(structure, cid):
         return False
-    others = [p for c in structure.objects if isinstance(c.spec, ObjectSpec) for p in c.spec.phases]
+    others = [p for o in _objects(structure) for p in o.phases]
     if any(p.target == cid and p.action in AVOIDS for p in (*ego.phases, *others)):
         return True
     answers = ego.reaction in ("brake", "evade") or any(p.action in AVOIDS and p.target is None for p in ego.phases)

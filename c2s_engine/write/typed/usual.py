@@ -87,12 +87,16 @@ NOSE_TO_TAIL = 1.0
 """m between those that are parked one behind the other."""
 CLOSEST = 0.3
 """m between the members of a row at least."""
+SIDE_BY_SIDE = 0.5
+"""m between people who go together."""
 
 
 def spacing_of(o: ObjectSpec) -> float | tuple[float, float]:
-    """The m between the members of a row: as stated, nose to tail where they are parked or stand in a queue."""
+    """The m between the members of a row: as stated; nose to tail where parked or in a queue, closer for people."""
     if o.spacing is not None:
         return o.spacing
+    if is_walker(o.type):
+        return SIDE_BY_SIDE
     queues = o.speed == 0 and o.placement.position in ("ahead", "left_lane", "right_lane", "oncoming_lane")
     return NOSE_TO_TAIL if o.placement.position == "parked" else QUEUED if queues and is_vehicle(o.type) else 3.0
 

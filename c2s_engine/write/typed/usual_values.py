@@ -9,7 +9,7 @@ from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.spread import spread
 from c2s_engine.write.typed.tables import TIMED, is_static
-from c2s_engine.write.typed.usual import crosses, default_gap, speed_of
+from c2s_engine.write.typed.usual import crosses, default_gap, speed_of, uses_crosswalk
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ def usual_values(structure: Structure, room: float) -> Usual:
         meets = timed and spec.placement.gap is None or crosses(spec)
         if meets and not any(p.trigger for p in spec.phases[:1]):
             later[component.id] = middle(spec.placement.later or 0.0)
-        if spec.placement.position not in TIMED:
+        if spec.placement.position not in TIMED and not (plan.place.kind == "crosswalk" and uses_crosswalk(spec)):
             gap = spec.placement.gap
             gaps[component.id] = middle(gap) if gap is not None else default_gap(spec, plan.ego_speed, plan.place)
     distance = None if plan.distance is None else middle(plan.distance)

@@ -601,8 +601,9 @@ behavior StopBefore(points, others, room=3, rate=None):
     that allows, or evenly, from `REACTION_TIME` on."""
     speed = self.speed
     do Drive(points, speed) for REACTION_TIME seconds
-    evenly = rate or max(1.5, min(9, speed ** 2 / (2 * max(rest_to(self, points, others, room), 0.1))))
-    do Drive(points, lambda: up_to(rest_to(self, points, others, room), speed, evenly), rate=9) until self.speed < 0.2
+    left = lambda: rest_to(self, points, others, room + ROLLS)
+    evenly = rate or max(1.5, min(9, speed ** 2 / (2 * max(left(), 0.1))))
+    do Drive(points, lambda: up_to(left(), speed, evenly), rate=9) until self.speed < 0.2
 
 behavior StopAtLine(points, lane, speed, rate=3):
     """Come to a stand at the stop line of a lane, braking at `rate` m/s2."""
@@ -891,6 +892,7 @@ def in_way(points, other, room=1, seconds=0):
     return line.distance(box.union(there).convex_hull if seconds else box) < room
 
 REACTION_TIME = 0.3  # s from when somebody comes into view to a reaction
+ROLLS = 0.1  # m that one still rolls below the speed at which it counts as standing
 
 def noticed(car, others, overlooked):
     """Those of the others whom `car` has not `overlooked` (a function of one) for `REACTION_TIME`."""

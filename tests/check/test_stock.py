@@ -27,12 +27,12 @@ def compare(server: SyncCheckClient, folder: Path, programs: list[Path]) -> None
             assert drawn == [tuple(v) for v in want["scene"]], path.stem
 
 
-@pytest.mark.full
+@pytest.mark.nightly
 def test_the_same_hashes_and_scenes(server: SyncCheckClient, tmp_path: Path) -> None:
     compare(server, tmp_path, PROGRAMS[::6])
 
 
-@pytest.mark.full
+@pytest.mark.nightly
 def test_edited_pieces_compile_as_the_whole(server: SyncCheckClient, tmp_path: Path) -> None:
     """The pieces that are kept from other programs are moved to other lines, and requirements are renumbered."""
     made = []

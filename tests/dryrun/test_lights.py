@@ -4,7 +4,7 @@ import pytest
 
 from c2s_engine import driving
 
-pytestmark = pytest.mark.full
+pytestmark = pytest.mark.full(one_of=2)
 
 PROGRAM = """
 from c2s_driving import *

@@ -40,7 +40,7 @@ def asked(server: FakeOllama) -> list[str]:
     return [a for a in map(asked_for, server.requests) if a]
 
 
-@pytest.mark.full
+@pytest.mark.nightly
 def test_the_paper_s_rows_and_tables_are_one_command(records, server):
     server.respond = Programmer()
     common = ["--records", records, "--runs", 1, "--jobs", 1]

@@ -10,7 +10,7 @@ from c2s_engine.check.protocol import CheckRequest
 from c2s_engine.paths import shipped
 from c2s_engine.retrieve.snippet_files import shipped as load
 
-pytestmark = pytest.mark.full
+pytestmark = pytest.mark.nightly
 
 
 async def test_every_snippet_runs():

@@ -12,7 +12,7 @@ def test_there_are_ten_of_different_kinds():
     assert len({e.about.split(":")[0] for e in gallery().values()}) == 10
 
 
-@pytest.mark.full
+@pytest.mark.full(one_of=3)
 @pytest.mark.parametrize("name", list(gallery()))
 async def test_each_runs_and_shows_what_it_is_an_example_of(name):
     done = None

@@ -44,7 +44,7 @@ async def test_nothing_that_holds_leaves_it_as_it_is():
     assert await widened(structure, 1.0, share_whole) is structure
 
 
-@pytest.mark.full
+@pytest.mark.nightly
 async def test_a_text_is_varied(engine):
     async for event in engine.generate("A car cuts in from the left lane ahead of ego, which brakes.", widen=True):
         last = event

@@ -60,7 +60,7 @@ async def finished(engine, case: dict[str, Any]):
     return last
 
 
-@pytest.mark.full(one_of=3)
+@pytest.mark.full(one_of=6)
 @pytest.mark.parametrize("action", CASES["actions"])
 async def test_action_shows_its_event(engine, action):
     case = CASES["actions"][action]
@@ -70,7 +70,7 @@ async def test_action_shows_its_event(engine, action):
     assert shown & set(SHOWS[action]["shows"]), shown
 
 
-@pytest.mark.full(one_of=3)
+@pytest.mark.full(one_of=6)
 @pytest.mark.parametrize("place", CASES["places"])
 async def test_ego_alone_keeps_to_its_way(engine, place):
     last = await finished(engine, CASES["places"][place])

@@ -40,7 +40,7 @@ async def shown(engine: Any, case: dict[str, Any]) -> Any:
     return last.facts[0], last.program.text
 
 
-@pytest.mark.full(one_of=4)
+@pytest.mark.full(one_of=6)
 @pytest.mark.parametrize("name", CASES)
 async def test_the_run_shows_it(engine, name):
     case = CASES[name]

@@ -69,7 +69,7 @@ async def shown(engine: Any, row: dict[str, Any]) -> list[str]:
     return missing + [f"{c}: {e}" for c, names in row.get("sees", {}).items() for e in names if (c, e) not in events]
 
 
-@pytest.mark.full(one_of=4)
+@pytest.mark.full(one_of=6)
 @pytest.mark.parametrize("row", SAID, ids=lambda row: row["term"])
 async def test_a_run_shows_it(engine, row):
     assert not await shown(engine, row)

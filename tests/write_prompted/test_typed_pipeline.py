@@ -45,7 +45,7 @@ class Pipeline:
         return structure, program, await self.checker(program.text, program.spans)
 
 
-async def sampled(server, client_of, checker, count: int) -> tuple[list[str], list[float], int]:
+async def sampled(server, client_of, checker, count: int) -> tuple[list[str], list[float]]:
     failures, shares = [], []
     pipeline = Pipeline(checker)
     for seed in range(count):

@@ -107,7 +107,7 @@ class ReaderMethod(EmbeddedMethod):
         emit(Usage(purpose="read", prompt_tokens=answer.prompt_tokens, answer_tokens=answer.answer_tokens))
         for note in reading.notes:
             emit(Say(text=note, severity="warning"))
-        return with_usual_reaction(reading.structure.model_copy(update={"text": text}))
+        return with_usual_reaction(reading.structure)
 
     def account(self, structure: Structure | None) -> dict[str, Any]:
         """The tokens that reading took."""

@@ -86,7 +86,7 @@ def test_the_dry_run_alone():
     assert found["walker_crosses", "other: speed at 3 s"]["dry_run"] == pytest.approx(1.4, abs=0.01)
 
 
-@pytest.mark.full(one_of=2)
+@pytest.mark.full
 def test_a_server_that_obeys_a_tick_late_is_seen_to(server):
     """A walker who sets out 0.1 s later and halts 0.1 s later is 0.14 m behind and goes 0.14 m farther."""
     code, said = calibrate("--address", address(server), "--only", "walker_crosses")
@@ -97,7 +97,7 @@ def test_a_server_that_obeys_a_tick_late_is_seen_to(server):
     )
 
 
-@pytest.mark.full(one_of=2)
+@pytest.mark.full
 def test_a_server_that_drives_as_the_dry_run_differs_in_nothing(server, monkeypatch):
     monkeypatch.setenv("STANDIN_LAG", "0")
     code, said = calibrate("--address", address(server), *(f"--only={n}" for n in ("turn_left", "follow")))
@@ -105,7 +105,7 @@ def test_a_server_that_drives_as_the_dry_run_differs_in_nothing(server, monkeypa
     assert {row["measure"]: row["difference"] for row in said["rows"] if abs(row["difference"]) > 0.02} == {}
 
 
-@pytest.mark.full(one_of=2)
+@pytest.mark.full
 @pytest.mark.skipif(not carla._installed(), reason="needs the real client: the extra [carla]")
 def test_the_real_client_and_a_server_on_the_wire():
     """CARLA's own client package against the stand-in as a server (standin/wire.py)."""
@@ -122,7 +122,7 @@ def test_the_real_client_and_a_server_on_the_wire():
     assert {row["measure"]: row["difference"] for row in said["rows"] if abs(row["difference"]) > 0.02} == {}
 
 
-@pytest.mark.full(one_of=2)
+@pytest.mark.full
 def test_what_a_map_has_no_place_for_is_told(server, monkeypatch, tmp_path):
     text = (HERE.parents[1] / "data" / "maps" / "town.xodr").read_text(encoding="utf-8")
     text = re.sub(r'max="\d+"', 'max="8"', text).replace('type="motorway"', 'type="town"')
@@ -152,7 +152,7 @@ def test_without_the_client_s_package_it_is_named(monkeypatch):
     assert code == 3 and "pip install 'c2s[carla]'" in said["error"] and "--dry" in said["error"]
 
 
-@pytest.mark.full(one_of=2)
+@pytest.mark.full
 def test_what_listens_but_is_no_carla_is_told(server, monkeypatch):
     monkeypatch.setenv("STANDIN_MUTE", "1")
     code, said = calibrate("--address", address(server), "--only", "keep_speed")

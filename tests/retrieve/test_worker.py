@@ -22,7 +22,7 @@ from c2s_engine.retrieve.wording import plain
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.specs import ObjectSpec
 
-pytestmark = pytest.mark.full(one_of=2)
+pytestmark = pytest.mark.full
 PROGRAM = """param map = localPath('town.xodr')
 model scenic.simulators.carla.model
 ego = new Car

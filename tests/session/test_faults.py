@@ -16,7 +16,7 @@ from c2s_engine.structure.progress import ComponentState, Say
 from tests.models.fake_ollama import Answer, FakeOllama, endless
 from tests.write_prompted.programmer import EXAMPLE, TEXT, Programmer, asked_for
 
-pytestmark = pytest.mark.full(one_of=2)  # an engine of its own for each
+pytestmark = pytest.mark.full  # an engine of its own for each
 
 VAN = SetDescription(component="O1", description="A white van is parked at the right edge of the road, 30 m ahead.")
 METHOD = "chat2scenic:C1"

@@ -16,7 +16,7 @@ from tests.models.answers import asked_of
 from tests.models.fake_ollama import FakeOllama, said
 from tests.write_prompted.programmer import EXAMPLE, TEXT
 
-pytestmark = pytest.mark.full(one_of=2)  # an engine of its own for each
+pytestmark = pytest.mark.full  # an engine of its own for each
 
 CHANGE = "Make the pedestrian slower."
 

@@ -18,6 +18,7 @@ from c2s_engine.structure.specs import (
     Trigger,
 )
 from c2s_engine.write.typed import TypedWriter
+from tests.write.test_golden import finished
 
 CUTS_IN = Phase(action="cut_in", trigger=Trigger(kind="distance", value=25.0, of="ego"))
 
@@ -55,3 +56,16 @@ def test_a_lane_change_near_somebody_waits_for_its_gap(writer):
         objects=(Component(id="O1", spec=car),),
     )  # fmt: skip
     assert "until ahead_by(ego, self" in writer.write(made, "O1").code
+
+
+async def test_who_stops_with_a_room_that_is_said_stands_no_nearer(engine):
+    stop = {"action": "stop", "target": "O1", "clearance": 1}
+    case = {
+        "R": {"kind": "straight"},
+        "E": {"speed": 15, "phases": [stop], "reaction": "brake", "react_to": "O1", "hard": True},
+        "O": [{"type": "van", "speed": 0, "placement": {"gap": 80}, "phases": [{"action": "stationary"}]}],
+        "T": {"limits": [{"kind": "gap", "subject": "ego", "other": "O1", "minimum": 1}]},
+    }  # fmt: skip
+    last = await finished(engine, case)
+    judged = {r.requirement: r for r in last.results}
+    assert judged["T.limits.0"].holds and judged["E.phases.0.clearance"].holds, judged["T.limits.0"].seen

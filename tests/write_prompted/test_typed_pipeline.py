@@ -45,29 +45,38 @@ class Pipeline:
         return structure, program, await self.checker(program.text, program.spans)
 
 
-async def sampled(server, client_of, checker, count: int) -> tuple[list[str], list[float]]:
-    failures, shares = [], []
+async def sampled(server, client_of, checker, count: int) -> tuple[list[str], list[float], int]:
+    failures, shares, components = [], [], 0
     pipeline = Pipeline(checker)
     for seed in range(count):
         server.respond = random_json(seed)
         async with client_of(server) as client:
             structure, program, report = await pipeline.run("typed", TEXTS[seed % len(TEXTS)], client, [])
         shares.append(share_without_fallback(structure))
+        components += len(structure.components)
         if not report.ok:
             found = [d.message for s in report.stages for d in s.diagnostics]
             failures.append(f"seed {seed}: {found[:1]}\n{program.text}")
-    return failures, shares
+    return failures, shares, components
 
 
 async def test_random_forms_give_programs_that_sample(server, client_of, checker):
-    failures, shares = await sampled(server, client_of, checker, 2)
+    failures, shares, _ = await sampled(server, client_of, checker, 2)
     assert not failures, failures[0]
     assert sum(shares) > 0
 
 
 @pytest.mark.nightly
+async def test_thirty_random_scenarios(server, client_of, checker):
+    failures, shares, components = await sampled(server, client_of, checker, 30)
+    assert not failures, f"{len(failures)} of 30\n" + failures[0]
+    assert sum(shares) / len(shares) >= 0.6
+    assert components > 150
+
+
+@pytest.mark.nightly
 async def test_three_hundred_random_scenarios(server, client_of, checker):
-    failures, shares = await sampled(server, client_of, checker, 300)
+    failures, shares, _ = await sampled(server, client_of, checker, 300)
     assert not failures, f"{len(failures)} of 300\n" + failures[0]
     assert sum(shares) / len(shares) >= 0.6
 

@@ -23,6 +23,8 @@ THREADS = 4
 MISSING = "The learned reader's packages are not installed: run `make run` once more, or use the embedded method."
 TOO_LONG = "The text is too long for the learned reader: tell one scene, or use the embedded method."
 
+FAILED = "The learned reader could not answer ({}): try again, or use the embedded method."
+
 
 class ReaderError(ValueError):
     """The learned reader cannot read; the message says what to do."""
@@ -74,8 +76,9 @@ class Decoder:
         asked = {"prompt": text + END, "max_tokens": ANSWER, "temperature": 0, "cache_prompt": False}
         with self._free:
             found = self._server.handle_completions(asked)
-        if "choices" not in found:
-            raise ReaderError(TOO_LONG)
+        if error := found.get("error"):
+            too_long = error.get("type") == "exceed_context_size_error"
+            raise ReaderError(TOO_LONG if too_long else FAILED.format(error.get("message", error)))
         usage = found["usage"]
         return Answer(found["choices"][0]["text"], usage["prompt_tokens"], usage["completion_tokens"])
 

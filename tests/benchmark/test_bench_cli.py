@@ -21,6 +21,7 @@ def bench(*arguments, code=0):
     return result.output if code else result.stdout
 
 
+@pytest.mark.full
 def test_json_has_the_figures_in_all_by_source_and_by_record(calls, own):
     data = json.loads(bench("--records", own, "--runs", 3, "--jobs", 2, "--json", *FAKE))
     assert data["total"] == pytest.approx(
@@ -59,6 +60,7 @@ def test_results_of_many_files_have_a_name_that_a_disk_takes(calls, own, tmp_pat
     assert json.loads(bench(*flags, "--runs", 1, "--jobs", 0, "--json", *FAKE))["total"]["number"] == 24
 
 
+@pytest.mark.full
 def test_an_interrupted_run_goes_on_where_it_stopped(calls, own):
     tasks = tasks_for(load([own]), Setup(runs=1))
     outcomes = run(tasks, Store(), engine="bench_fake:engine")
@@ -71,6 +73,7 @@ def test_an_interrupted_run_goes_on_where_it_stopped(calls, own):
     assert len(calls.read_text()) == before + 2
 
 
+@pytest.mark.full
 def test_a_process_that_dies_costs_its_record_only_and_is_tried_again(calls, own):
     own.write_text(own.read_text().replace("text: fog", "text: die").replace("text: refuse rain", "text: raise"))
     tasks = tasks_for(load([own]), Setup(runs=1))
@@ -86,6 +89,7 @@ def test_an_engine_that_cannot_be_started_is_one_sentence(calls, own):
     assert "the engine cannot be started" in said and "has no attribute 'nothing'" in said
 
 
+@pytest.mark.full
 def test_nothing_that_could_be_run_is_one_sentence(calls, own):
     own.write_text(own.read_text().replace("text: ", "text: raise "))
     said = bench("--records", own, *FAKE, code=1)

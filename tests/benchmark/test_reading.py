@@ -21,6 +21,7 @@ def some():
     return random.Random(2).sample(list(scenes()), 120)
 
 
+@pytest.mark.full
 def test_the_scenes_are_some_thousand_each_told_twice_a_tenth_held_out():
     found = list(scenes())
     assert len({s.id for s in found}) == len(found) > 5000 and all(len(s.texts) == 2 for s in found)

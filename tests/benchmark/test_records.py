@@ -71,6 +71,7 @@ def test_an_id_that_is_used_twice_is_refused(tmp_path):
         records.load([file])
 
 
+@pytest.mark.full
 def test_the_fresh_descriptions_are_records():
     files = sorted((records.FOLDER.parent / "fresh").glob("*.yaml"))
     found = records.load(files)

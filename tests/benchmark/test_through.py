@@ -1,5 +1,6 @@
 """The descriptions written afresh, and the table of how they end."""
 
+import pytest
 import yaml
 
 from c2s_bench.through.run import Description, Outcome, collect, fresh, of_records, table
@@ -22,6 +23,7 @@ def test_the_reporting_part_keeps_its_names():
     assert names.count("reporting part") == 40
 
 
+@pytest.mark.full
 def test_a_run_and_a_refusal_are_told_apart():
     followed = "The ego follows a truck at 40 km/h on a straight road. The truck brakes hard and the ego brakes."
     expected = (("brake_hard", "O1"), ("hits", "O1"))

@@ -78,6 +78,7 @@ def test_a_dozen_manoeuvres_each_with_measures_of_its_own():
         assert len(told) == len(set(told)) >= 2, manoeuvre.name
 
 
+@pytest.mark.full
 def test_the_dry_run_alone():
     code, said = calibrate("--dry", "--only", "brake_hard", "--only", "walker_crosses")
     found = rows(said)

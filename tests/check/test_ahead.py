@@ -126,6 +126,7 @@ def test_nothing_of_a_trusted_program_is_done_ahead() -> None:
     assert asyncio.run(begin()) is None
 
 
+@pytest.mark.full
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
 def test_checks_that_are_cancelled_leave_no_process() -> None:
     from test_snapshots import settled

@@ -46,12 +46,14 @@ def test_names_and_arguments_are_looked_up_in_it(server, folder):
     assert codes(check(server, folder, PROGRAM.replace(", 8)", ", sped=8)"))) == ["wrong_keyword"]
 
 
+@pytest.mark.full
 def test_another_version_beside_the_program_is_used(server, folder):
     (folder / driving.FILE).write_text(driving.text() + "\nNEWER = 3\n")
     assert check(server, folder, PROGRAM + "speed = NEWER\n").ok
     assert codes(check(server, folder.parent, PROGRAM + "speed = NEWER\n")) == ["undefined_name"]
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("line, code", [("import os", "import os *"), ("def (", "library")])
 def test_one_that_may_not_or_cannot_be_run_is_refused(server, folder, line, code):
     (folder / driving.FILE).write_text(driving.text() + f"\n{line}\n")
@@ -65,6 +67,7 @@ def test_inlined_is_one_file_with_what_is_used(server, folder):
     assert check(server, folder, text).ok
 
 
+@pytest.mark.full
 def test_one_that_is_no_scenic_is_named_with_its_line(server, folder):
     lines = driving.text().split("\n")
     row = next(n for n, line in enumerate(lines, 1) if line.startswith("behavior Drive"))
@@ -102,6 +105,7 @@ def test_an_installed_one_that_is_broken_says_so(installed, old, new, said):
         driving.constants()
 
 
+@pytest.mark.full
 def test_an_installed_one_that_does_not_compile_says_so(installed):
     text = driving.text().replace("def need(car, other):", "def need(car other):", 1)
     row = text[: text.index("def need(car other):")].count("\n") + 1

@@ -43,6 +43,7 @@ def write(folder: Path, body: str) -> Path:
     return path
 
 
+@pytest.mark.full
 def test_a_map_outside_the_program_s_folder_is_run_on_by_every_kind_of_path(tmp_path: Path) -> None:
     elsewhere, folder = tmp_path / "maps", tmp_path / "programs"
     elsewhere.mkdir()

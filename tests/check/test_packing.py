@@ -64,6 +64,7 @@ def differences(one: Any, other: Any) -> Iterator[str]:
             yield f"{path}: one object there, two here"
 
 
+@pytest.mark.full
 def test_equal_values_and_types(parsed: Any, packed: Any) -> None:
     assert list(differences(parsed, packed)) == []
 
@@ -91,6 +92,7 @@ def test_what_is_no_packed_network_is_refused(data: bytes) -> None:
         packing.unpack(data)
 
 
+@pytest.mark.full
 def test_a_broken_file_is_made_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, parsed: Any) -> None:
     from scenic.core import regions
     from scenic.domains.driving.roads import Network

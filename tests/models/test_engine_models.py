@@ -90,6 +90,7 @@ async def test_a_scenario_a_change_a_question_and_what_is_picked(server):
         assert any("cites no passage" in n for n in notes(events)) and RULES in events
 
 
+@pytest.mark.full
 async def test_without_ollama_there_is_a_program_or_one_sentence():
     with FakeOllama() as gone:
         pass
@@ -110,6 +111,7 @@ async def test_without_ollama_there_is_a_program_or_one_sentence():
         assert "[ollama] num_ctx" in failed.diagnostics[0].message
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("method", ["typed", "prompted"])
 async def test_cancelling_in_mid_stream_stops_the_model_and_leaves_s(server, method):
     """The bound is generous: the figure is `python -m tests.models.measure_cancel`'s."""
@@ -129,6 +131,7 @@ async def test_cancelling_in_mid_stream_stops_the_model_and_leaves_s(server, met
         assert len(server.requests) == 1 and done.structure.model_dump_json() == before
 
 
+@pytest.mark.full
 async def test_a_model_that_keeps_to_no_form_is_told_the_schema(server, tmp_path, monkeypatch):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
 

@@ -191,6 +191,7 @@ def test_a_field_is_offered_where_a_text_says_such_a_thing(case):
     assert set(case["offers"]) <= asked(case, case["says"])
 
 
+@pytest.mark.full
 def test_what_is_offered_only_where_it_applies_is_not_where_a_text_says_nothing_of_it():
     table = offered.table()
     rare = {f"{within}.{name}" for within, fields in table["fields"].items() for name in fields}

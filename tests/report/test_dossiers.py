@@ -23,6 +23,7 @@ lead = new Car ahead of ego by 12, with behavior FollowLaneBehavior(8)
 """
 
 
+@pytest.mark.full
 async def test_same_inputs_give_the_same_bytes(engine: Engine, tmp_path: Path) -> None:
     for form in ("md", "html", "json"):
         for again in ("a", "b"):

@@ -34,6 +34,7 @@ def test_judged_batches_hold_structures(file):
     assert all(require(r.structure) for r in records)
 
 
+@pytest.mark.full
 async def test_a_given_structure_is_realised(tmp_path):
     file = tmp_path / "records.yaml"
     file.write_text(

@@ -1,5 +1,7 @@
 """A scene with other drivers in ego's place: what hangs on ego's reaction is not seen with one that never reacts."""
 
+import pytest
+
 from c2s_engine.api import Engine
 from c2s_engine.report.dossier import dossier
 from c2s_engine.report.gather import of_text, read_records
@@ -20,6 +22,7 @@ RECORDS = """
 """
 
 
+@pytest.mark.full
 async def test_what_hangs_on_egos_reaction_is_not_seen_with_one_that_never_reacts(tmp_path):
     file = tmp_path / "records.yaml"
     file.write_text(RECORDS)

@@ -257,6 +257,7 @@ def test_what_a_component_is_about(spec, about):
     assert terms_of(s, cid) == about
 
 
+@pytest.mark.full
 def test_at_most_three_snippets_share_a_skeleton():
     from scenic.syntax.parser import parse_string
 

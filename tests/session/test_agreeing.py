@@ -23,6 +23,7 @@ def test_every_drawn_contradiction_comes_to_agree_and_nothing_else_is_touched():
     assert found > 5
 
 
+@pytest.mark.full
 @pytest.mark.asyncio
 async def test_a_text_that_contradicts_itself_runs():
     text = (

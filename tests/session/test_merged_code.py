@@ -76,6 +76,7 @@ async def test_a_number_beside_other_changes_is_read_into_s(session):
     assert "speed is 36 km/h" in told and session.structure["E"].origin == "by_hand"
 
 
+@pytest.mark.full
 async def test_code_that_was_kept_against_its_fields_says_so(session):
     await by_hand(session, "O1", ("THE_CAR_SPEED = 13.89", "THE_CAR_SPEED = EGO_SPEED + 5.5"))
     await done(session.apply(SetField(component="O1", path="speed", value=12.5), run=False))

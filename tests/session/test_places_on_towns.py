@@ -33,6 +33,7 @@ def asks(**place):
     return Structure(place=Component(id="R", spec=PlaceSpec(**place)), ego=Component(id="E", spec=EgoSpec(speed=10.0)))
 
 
+@pytest.mark.full
 async def test_where_places_are_found_and_what_is_told(engine):
     library, check = engine.library, engine.check_client
     signals = asks(kind="intersection", arms=4, control="signal", manoeuvre="straight")
@@ -62,6 +63,7 @@ async def test_where_places_are_found_and_what_is_told(engine):
     assert "The map has no roundabout; town has it." in found.diagnostic.message
 
 
+@pytest.mark.full
 async def test_what_is_missing_is_named_where_no_single_field_is(engine):
     library, check = engine.library, engine.check_client
     narrow = asks(kind="straight", ego_lane="middle", shoulder=True, crosswalk=True)
@@ -80,6 +82,7 @@ async def test_what_is_missing_is_named_where_no_single_field_is(engine):
     assert "others=[From('left', priority=True)]), whatever else of R is left open; Town07 and town have it." in message
 
 
+@pytest.mark.full
 async def test_on_a_town_of_narrow_roads_lanes_beside_ego_are_given_up_last(engine):
     library, check = engine.library, engine.check_client
 
@@ -112,6 +115,7 @@ async def test_on_a_town_of_narrow_roads_lanes_beside_ego_are_given_up_last(engi
     assert "The map has no on-ramp; town has it." in found.diagnostic.message
 
 
+@pytest.mark.full
 async def test_a_map_that_the_text_names_is_kept_where_places_are_strict(engine):
     structure = asks(kind="roundabout").with_component(Component(id="G", spec=SettingsSpec(map="Town07")))
     assert demanded(structure, engine.library) == "Town07"
@@ -126,6 +130,7 @@ async def test_a_map_that_the_text_names_is_kept_where_places_are_strict(engine)
     assert [a.reason for a in lenient.structure.settings.assumed if a.field == "map"] == ["Town07 has no such place"]
 
 
+@pytest.mark.full
 async def test_ego_comes_over_several_short_roads(engine):
     text = "Ego drives at 50 km/h. 60 m ahead of it a truck drives at 30 km/h on the same straight road. Ego brakes."
     done = [e async for e in engine.generate(text, map="Town07") if isinstance(e, Finished)][0]

@@ -58,6 +58,7 @@ async def test_what_was_changed_in_the_file_is_code_by_hand(made, tmp_path):
     assert lead.origin == "by_hand" and "# mine" in lead.code and lead.spec == done.structure["O1"].spec
 
 
+@pytest.mark.full
 async def test_a_standalone_program_comes_back_whole_too(made, tmp_path):
     engine, done = made
     file = tmp_path / "alone.scenic"

@@ -59,6 +59,7 @@ async def test_what_the_words_leave_as_it_was_is_left():
     assert after["O1"].spec == structure["O1"].spec and "fields are unchanged" in reply
 
 
+@pytest.mark.full
 async def test_the_process_apart_reads_the_same_and_a_killed_one_is_replaced():
     reader = Reader()
     apart = SimpleNamespace(extra={"reader": reader})

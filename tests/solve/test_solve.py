@@ -215,6 +215,7 @@ async def test_a_text_is_solved_and_says_what_was_chosen(engine):
     assert [s.name for s in last.stages].count("solve") == 1
 
 
+@pytest.mark.full
 async def test_settings_switch_the_search_off():
     async with Engine(Settings(solve=False)) as engine:
         async for event in engine.generate("A truck ahead of ego brakes hard and ego stops."):

@@ -106,6 +106,7 @@ def test_bad_input_gets_one_sentence(arguments, stdin, says):
     assert says in one_sentence(c2s(*arguments, stdin=stdin), 2)
 
 
+@pytest.mark.full
 def test_an_unknown_map_names_those_there_are():
     done = c2s("generate", TEXT, "--map", "Atlantis")
     assert done.returncode == 1
@@ -120,6 +121,7 @@ def test_a_broken_program_says_where(tmp_path):
     assert "line 3" in done.stdout.decode()
 
 
+@pytest.mark.full
 def test_another_persons_program_on_a_map_of_ours(tmp_path):
     program = tmp_path / "lead.scenic"
     program.write_text(LEAD)
@@ -133,6 +135,7 @@ def test_another_persons_program_on_a_map_of_ours(tmp_path):
     assert [c["id"] for c in json.loads(taken.stdout)["structure"]] == ["G", "R", "E", "O1", "T"]
 
 
+@pytest.mark.full
 def test_no_permission(tmp_path):
     tmp_path.chmod(stat.S_IRUSR | stat.S_IXUSR)
     done = c2s("generate", TEXT, "--no-run", "-o", str(tmp_path / "a.scenic"), before=obey_permissions)

@@ -47,6 +47,7 @@ async def refusal(client: Client, tool: str, **arguments) -> str:
     return told.content[0].text
 
 
+@pytest.mark.full
 async def test_an_assistant_makes_checks_runs_and_edits_a_scenario(serving, tmp_path):
     before = psutil.Process().children(recursive=True)
     async with Client(serving()) as client:
@@ -103,12 +104,14 @@ async def test_an_assistant_makes_checks_runs_and_edits_a_scenario(serving, tmp_
     assert not psutil.wait_procs(started, timeout=10)[1], "nothing is left running"
 
 
+@pytest.mark.full
 async def test_who_names_no_session_is_told_what_makes_one(serving):
     async with Client(serving()) as client:
         said = await refusal(client, "edit", session="mine", say="make the van a truck")
     assert said.endswith("There is no session 'mine': there are none yet. `new`: true makes it.")
 
 
+@pytest.mark.full
 async def test_a_cancelled_call_stops_the_model_and_the_next_is_answered(serving):
     with FakeOllama(lambda request: Answer(endless('{"objects": ['), hold=threading.Event())) as ollama:
         async with Client(serving(host=ollama.host, probe=False), mode="legacy") as client:  # as most editors speak

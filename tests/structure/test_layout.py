@@ -1,5 +1,6 @@
 """A program that somebody opened or edited: byte for byte theirs, whatever is edited by hand or written anew."""
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -109,6 +110,7 @@ def test_what_is_edited_by_hand_is_there_byte_for_byte(data):
         assert assemble(again).text == text, "as a session keeps it"
 
 
+@pytest.mark.full
 @settings(max_examples=300, deadline=None)
 @given(st.data())
 def test_a_turn_changes_its_components_span_and_nothing_else(data):

@@ -58,6 +58,7 @@ async def test_a_contradiction_names_its_fields(engine):
     assert "motorway" in last.diagnostics[0].message
 
 
+@pytest.mark.full
 async def test_works_stand_behind_another(engine):
     ahead = ObjectSpec(name="van", type="van", placement=Placement(position="parked", gap=100))
     works = ObjectSpec(name="works", type="lane_closure", placement=Placement(position="behind", of="O1", gap=30))

@@ -1,5 +1,6 @@
 """A distance means one thing: from bumper to bumper, in the program, when it is read back, and when a run is judged."""
 
+import pytest
 
 from c2s_engine.check import importer
 from c2s_engine.check.protocol import ImportRequest
@@ -58,6 +59,7 @@ def test_a_lane_change_near_somebody_waits_for_its_gap(writer):
     assert "until ahead_by(ego, self" in writer.write(made, "O1").code
 
 
+@pytest.mark.full
 async def test_who_stops_with_a_room_that_is_said_stands_no_nearer(engine):
     stop = {"action": "stop", "target": "O1", "clearance": 1}
     case = {

@@ -50,6 +50,7 @@ async def test_the_run_shows_it(engine, name):
         assert not missing(thing, case["shows"].get(thing.component, []), components), thing.component
 
 
+@pytest.mark.full
 async def test_a_limit_that_no_road_has_is_posted_by_the_program(engine):
     facts, program = await shown(engine, {"R": {"kind": "straight", "speed_limit": 17.9}})
     assert "param speed_limit = 64" in program

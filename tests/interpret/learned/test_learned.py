@@ -46,6 +46,7 @@ def test_the_notation_is_read_as_it_is_written():
     ]
 
 
+@pytest.mark.full
 def test_every_scene_of_the_training_data_is_written_and_read_back():
     from c2s_bench.reading.scenes import scenes
 
@@ -92,6 +93,7 @@ def test_an_answer_that_is_no_scenario_leaves_the_embedded_reading():
     assert "embedded interpreter" in found.notes[0]
 
 
+@pytest.mark.full
 @needs_model
 async def test_the_model_reads_a_text_to_a_program_that_runs():
     async with Engine(Settings()) as engine:
@@ -102,6 +104,7 @@ async def test_the_model_reads_a_text_to_a_program_that_runs():
     assert done.structure.settings.spec.weather == ("rain",) and done.details["tokens"] > 50
 
 
+@pytest.mark.full
 @needs_model
 def test_the_model_says_the_same_of_the_same_text():
     first, again = loaded().answer(TEXT), loaded().answer(TEXT)

@@ -1,13 +1,24 @@
-"""What is known to fail is marked so, from one list with reasons; of cases marked `full(one_of=N)` every run but the
-nightly one takes one in N, by their names."""
+"""The engine that tests share; what is known to fail is marked so, from one list with reasons; of cases marked
+`full(one_of=N)` every run but the nightly one takes one in N, by their names."""
 
 import zlib
+from collections.abc import AsyncIterator
 from pathlib import Path
 
 import pytest
+import pytest_asyncio
 import yaml
 
+from c2s_engine.api import Engine
+
 KNOWN = yaml.safe_load((Path(__file__).parent / "known_failures.yaml").read_text(encoding="utf-8")) or {}
+
+
+@pytest_asyncio.fixture(scope="session")
+async def engine() -> AsyncIterator[Engine]:
+    """One engine with the default settings, for all tests that need no other: each start costs seconds."""
+    async with Engine() as started:
+        yield started
 
 
 @pytest.hookimpl(tryfirst=True)  # before -m looks at the marks

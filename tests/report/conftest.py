@@ -8,7 +8,7 @@ from c2s_engine.api import Engine
 from c2s_engine.config import Settings
 
 
-@pytest_asyncio.fixture(scope="module", loop_scope="module")
+@pytest_asyncio.fixture(scope="module")
 async def engine() -> AsyncIterator[Engine]:
     async with Engine(Settings(offers=False)) as started:
         yield started

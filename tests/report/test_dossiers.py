@@ -12,8 +12,6 @@ from c2s_engine.report.material import ReportError
 from c2s_engine.report.writing import write
 from c2s_engine.session.errors import SessionError
 
-pytestmark = pytest.mark.asyncio(loop_scope="module")
-
 TEXT = "The ego follows a truck on a straight road at 50 km/h. After five seconds the truck brakes hard."
 PROGRAM = """param map = localPath('town.xodr')
 param carla_map = None

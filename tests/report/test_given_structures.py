@@ -4,7 +4,6 @@ from pathlib import Path
 
 import pytest
 
-from c2s_engine.api import Engine
 from c2s_engine.report.gather import of_text, read_records, structure_of
 from c2s_engine.report.material import ReportError
 from c2s_engine.require import require
@@ -35,7 +34,7 @@ def test_judged_batches_hold_structures(file):
 
 
 @pytest.mark.full
-async def test_a_given_structure_is_realised(tmp_path):
+async def test_a_given_structure_is_realised(engine, tmp_path):
     file = tmp_path / "records.yaml"
     file.write_text(
         "- id: lead\n"
@@ -44,8 +43,7 @@ async def test_a_given_structure_is_realised(tmp_path):
         "    E: {speed: 14}\n"
         "    O1: {name: lead, placement: {position: ahead}, phases: [{action: brake, rate: 6}], unmet: [no lights]}\n"
     )
-    async with Engine() as engine:
-        material = await of_text(engine, read_records(file)[0])
+    material = await of_text(engine, read_records(file)[0])
     assert not material.problem and material.program.text
     assert material.structure["O1"].unmet[0].text == "no lights"
     assert "brakes hard" in material.structure["O1"].description

@@ -2,7 +2,6 @@
 
 import pytest
 
-from c2s_engine.api import Engine
 from c2s_engine.report.dossier import dossier
 from c2s_engine.report.gather import of_text, read_records
 from c2s_engine.report.markdown import markdown
@@ -23,11 +22,10 @@ RECORDS = """
 
 
 @pytest.mark.full
-async def test_what_hangs_on_egos_reaction_is_not_seen_with_one_that_never_reacts(tmp_path):
+async def test_what_hangs_on_egos_reaction_is_not_seen_with_one_that_never_reacts(engine, tmp_path):
     file = tmp_path / "records.yaml"
     file.write_text(RECORDS)
-    async with Engine() as engine:
-        material = await of_text(engine, read_records(file)[0], drivers=True)
+    material = await of_text(engine, read_records(file)[0], drivers=True)
     assert not material.problem
     never, slow = material.drivers
     assert (never.name, slow.name) == ("never reacts", "20 % slower")

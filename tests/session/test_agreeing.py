@@ -2,7 +2,6 @@
 
 import pytest
 
-from c2s_engine.api import Engine
 from c2s_engine.session.agreeing import agreeing
 from c2s_engine.structure.progress import Finished
 from c2s_engine.write.typed import contradiction
@@ -25,13 +24,12 @@ def test_every_drawn_contradiction_comes_to_agree_and_nothing_else_is_touched():
 
 @pytest.mark.full
 @pytest.mark.asyncio
-async def test_a_text_that_contradicts_itself_runs():
+async def test_a_text_that_contradicts_itself_runs(engine):
     text = (
         "Ego is in the leftmost of three lanes. One car is in the right lane, another is two lanes to the left of ego."
     )
     text += " A motorcycle behind the first changes to the right, a van beside it changes to the right as well."
-    async with Engine() as engine:
-        async for event in engine.generate(text):
-            last = event
+    async for event in engine.generate(text):
+        last = event
     assert isinstance(last, Finished)
     assert [s.name for s in last.stages if not s.ok] == [] and last.stages[-1].name == "run"

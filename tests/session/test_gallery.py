@@ -2,7 +2,6 @@
 
 import pytest
 
-from c2s_engine.api import Engine
 from c2s_engine.session.gallery import gallery
 from c2s_engine.structure.progress import Finished
 
@@ -14,11 +13,10 @@ def test_there_are_ten_of_different_kinds():
 
 @pytest.mark.full(one_of=3)
 @pytest.mark.parametrize("name", list(gallery()))
-async def test_each_runs_and_shows_what_it_is_an_example_of(name):
+async def test_each_runs_and_shows_what_it_is_an_example_of(engine, name):
     done = None
-    async with Engine() as engine:
-        async for event in engine.generate(gallery()[name].text):
-            done = event if isinstance(event, Finished) else done
+    async for event in engine.generate(gallery()[name].text):
+        done = event if isinstance(event, Finished) else done
     assert done is not None and done.ok and done.facts[0].ran
     who, wanted = gallery()[name].shows
     shown = {(o.component, e.event) for o in done.facts[0].objects for e in o.events}

@@ -3,16 +3,12 @@
 import re
 
 import pytest
-import pytest_asyncio
 
-from c2s_engine.api import Engine
 from c2s_engine.session.sessions import Sessions
 from c2s_engine.structure.edits import Replace, SetField
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Finished, ProgramChanged, Say
 from c2s_engine.write.in_place import same
-
-pytestmark = pytest.mark.asyncio(loop_scope="module")
 
 HEAD = """param map = localPath('town.xodr')
 param carla_map = None  # none of CARLA's
@@ -49,12 +45,6 @@ walker = new Pedestrian right of van by 3, with behavior Walk()
 require (distance from ego to last) > 6
 terminate after 15 seconds
 """
-
-
-@pytest_asyncio.fixture(loop_scope="module", scope="module")
-async def engine():
-    async with Engine() as started:
-        yield started
 
 
 async def ended(events):

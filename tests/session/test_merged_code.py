@@ -3,23 +3,15 @@
 import pytest
 import pytest_asyncio
 
-from c2s_engine.api import Engine
 from c2s_engine.session.sessions import Sessions
 from c2s_engine.structure.components import unrecognised
 from c2s_engine.structure.edits import SetCode, SetField, SetProgram
 from c2s_engine.structure.progress import Finished, Say
 
-pytestmark = pytest.mark.asyncio(loop_scope="module")
 TEXT = "Ego drives at 30 km/h in a city. A car ahead of ego at 50 km/h brakes hard."
 
 
-@pytest_asyncio.fixture(loop_scope="module", scope="module")
-async def engine():
-    async with Engine() as started:
-        yield started
-
-
-@pytest_asyncio.fixture(loop_scope="module")
+@pytest_asyncio.fixture
 async def session(engine, tmp_path):
     sessions = Sessions(tmp_path)
     opened = sessions.open("one", engine)

@@ -66,13 +66,12 @@ async def test_a_conversation(session):
     assert len(session.history) == turns, "what came to nothing is no turn"
 
 
-async def test_undo_with_nothing_to_take_back_is_one_sentence(tmp_path):
+async def test_undo_with_nothing_to_take_back_is_one_sentence(engine, tmp_path):
     sessions = Sessions(tmp_path / "sessions")
-    async with Engine(Settings()) as engine:
-        session = sessions.open("one", engine)
-        with pytest.raises(SessionError, match="nothing to undo"):
-            await take(session.say("undo that"))
-        await take(session.say("blah blah"))
-        assert session.history == []
-        session.close()
+    session = sessions.open("one", engine)
+    with pytest.raises(SessionError, match="nothing to undo"):
+        await take(session.say("undo that"))
+    await take(session.say("blah blah"))
+    assert session.history == []
+    session.close()
     sessions.close()

@@ -5,21 +5,18 @@ import json
 import pytest
 import pytest_asyncio
 
-from c2s_engine.api import Engine
 from c2s_engine.commands.reading import judged_by
 from c2s_engine.saving import beside, save, taken
 from c2s_engine.session.sessions import Sessions
 from c2s_engine.structure.edits import Replace, SetProgram
 from c2s_engine.structure.progress import Finished
 
-pytestmark = pytest.mark.asyncio(loop_scope="module")
 TEXT = "Ego drives at 30 km/h in a city. A car ahead of ego at 50 km/h brakes hard. The light rain does not matter."
 
 
-@pytest_asyncio.fixture(loop_scope="module", scope="module")
-async def made():
-    async with Engine() as engine:
-        yield engine, await ended(engine.generate(TEXT, run=False))
+@pytest_asyncio.fixture(scope="module")
+async def made(engine):
+    return engine, await ended(engine.generate(TEXT, run=False))
 
 
 async def ended(events):

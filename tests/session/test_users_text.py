@@ -6,14 +6,10 @@ from difflib import SequenceMatcher
 from pathlib import Path
 
 import pytest
-import pytest_asyncio
 
-from c2s_engine.api import Engine
 from c2s_engine.structure.edits import SetField, SetProgram, apply
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Finished
-
-pytestmark = pytest.mark.asyncio(loop_scope="module")
 
 HERE = Path(__file__).parent
 OURS = sorted((HERE / "programs").glob("*.scenic"))
@@ -29,12 +25,6 @@ TURNS = {
                     ("E", "speed", 6, {"param EGO_SPEED = 8": "param EGO_SPEED = 6"}),
                     ("T", "duration", 10, {"after 15": "after 10"})],
 }  # fmt: skip
-
-
-@pytest_asyncio.fixture(loop_scope="module", scope="module")
-async def engine():
-    async with Engine() as started:
-        yield started
 
 
 async def last(events):

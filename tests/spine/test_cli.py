@@ -99,8 +99,19 @@ def one_sentence(done, code):
         (["check", "/nonexistent.scenic"], None, "no file"),
         (["run", "."], None, "folder"),
     ],
-    ids=["empty", "nothing", "binary", "1 MB", "no file", "a folder", "no folder", "widen", "contradictions",
-         "no program", "run a folder"],  # fmt: skip
+    ids=[
+        "empty",
+        "nothing",
+        "binary",
+        "1 MB",
+        "no file",
+        "a folder",
+        "no folder",
+        "widen",
+        "contradictions",
+        "no program",
+        "run a folder",
+    ],  # fmt: skip
 )
 def test_bad_input_gets_one_sentence(arguments, stdin, says):
     assert says in one_sentence(c2s(*arguments, stdin=stdin), 2)

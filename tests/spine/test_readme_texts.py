@@ -5,8 +5,6 @@ from pathlib import Path
 
 import pytest
 
-from c2s_engine.api import Engine
-
 README = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
 TEXTS = [
     re.search(r'\$ c2s generate "([^"]+)"', README)[1],  # type: ignore[index]
@@ -15,9 +13,8 @@ TEXTS = [
 
 
 @pytest.mark.parametrize("text", TEXTS, ids=["command", "app"])
-async def test_the_first_texts_of_the_readme(text):
-    async with Engine() as engine:
-        async for event in engine.generate(text):
-            last = event
+async def test_the_first_texts_of_the_readme(engine, text):
+    async for event in engine.generate(text):
+        last = event
     assert last.ok and not last.diagnostics, last.diagnostics
     assert last.results and not [r for r in last.results if not r.holds]

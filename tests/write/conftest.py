@@ -1,8 +1,7 @@
-"""The writer on the shipped town, and one engine for all tests of this room."""
+"""The writer on the shipped town."""
 
 import pytest
 
-from c2s_engine.api import Engine
 from c2s_engine.maps.library import MapLibrary
 from c2s_engine.session.places import map_choice
 from c2s_engine.write.typed import TypedWriter
@@ -12,9 +11,3 @@ from c2s_engine.write.typed import TypedWriter
 def writer() -> TypedWriter:
     library = MapLibrary()
     return TypedWriter(map_choice(library, library.find("town")))
-
-
-@pytest.fixture
-async def engine():
-    async with Engine() as started:
-        yield started

@@ -9,8 +9,6 @@ import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
-from c2s_engine.api import Engine
-from c2s_engine.config import Settings
 from c2s_engine.interpret import EmbeddedInterpreter
 from c2s_engine.interpret.learned import ReaderError, asked, installed, loaded, reading
 from c2s_engine.interpret.learned.decoder import base
@@ -95,9 +93,8 @@ def test_an_answer_that_is_no_scenario_leaves_the_embedded_reading():
 
 @pytest.mark.full
 @needs_model
-async def test_the_model_reads_a_text_to_a_program_that_runs():
-    async with Engine(Settings()) as engine:
-        events = [event async for event in engine.generate(TEXT, method="reader")]
+async def test_the_model_reads_a_text_to_a_program_that_runs(engine):
+    events = [event async for event in engine.generate(TEXT, method="reader")]
     done = events[-1]
     assert isinstance(done, Finished) and done.ok and not [e for e in events if "embedded interpreter" in str(e)]
     assert sorted(o.spec.type for o in done.structure.objects) == ["child", "van"]

@@ -119,10 +119,13 @@ def _of_two(kind: str, one: Motion, other: Motion, value: float) -> Array:
     n = min(len(one.x), len(other.x))
     if kind == "passed":
         return lead(one.poses[:n], other.poses[:n]) < -one.size[0] / 2
-    gap = box_distance(one.poses[:n], other.poses[:n], one.size, other.size)
     if kind == "ttc":
-        closing = -np.gradient(gap, one.step)
-        return (closing > 0.1) & (gap < value * np.maximum(closing, 0.1))
+        apart = other.poses[:n, :2] - one.poses[:n, :2]
+        closing = -np.gradient(apart, one.step, axis=0)
+        speed = np.maximum(np.hypot(*closing.T), 0.1)
+        rest = (apart * closing).sum(axis=1) / speed
+        return (rest > 0) & (rest - (one.size[0] + other.size[0]) / 2 < value * speed)
+    gap = box_distance(one.poses[:n], other.poses[:n], one.size, other.size)
     return gap > value if kind == "apart" else gap < value
 
 

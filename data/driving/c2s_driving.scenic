@@ -967,11 +967,12 @@ def _box(thing):
     return shapely.geometry.Polygon([(thing.position.x + c.x, thing.position.y + c.y) for c in corners])
 
 def ttc(car, other):
-    """The time (s) until `car` and `other` would touch if the distance went on shrinking as it does."""
-    apart = other.position - car.position
-    gap = max((distance from car to other) - (car.length + other.length) / 2, 0)
-    closing = (car.velocity - other.velocity).dot(apart.normalized())
-    return gap / closing if closing > 0.1 else 1000
+    """The time (s) until the fronts of `car` and `other` would meet, or until they would be nearest to one another where
+    their ways cross, if both went on as they do."""
+    apart, closing = other.position - car.position, car.velocity - other.velocity
+    speed = closing.norm()
+    rest = apart.dot(closing) / speed if speed > 0.1 else 0
+    return max(rest - (car.length + other.length) / 2, 0) / speed if rest > 0 else 1000
 
 def lead_on(car, other):
     """How far (m) `car` is ahead of `other` along the road; negative: behind."""

@@ -16,7 +16,7 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.pockets import pocketed
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP, TURN
 from c2s_engine.write.typed.threats import hits_ego, is_hit
-from c2s_engine.write.typed.usual import speed_of, turn_of, uses_crosswalk
+from c2s_engine.write.typed.usual import lets_ego_come, speed_of, turn_of, uses_crosswalk
 
 BEFORE_CHANGE = 3.0
 """s that ego drives before the light changes."""
@@ -70,7 +70,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     kind = place.model_copy(update={"kind": "on_ramp"}) if ramp else place
     met = frozenset(cid for cid, o in crossing.items() if hits_ego(o) or is_hit(ego, cid))
     set_out = frozenset(c for c, o in crossing.items() if _sets_out(o) and (c in met or _forces(ego, c, o)))
-    way = rooms.distance(kind, top, ego, objects, room, bool(set_out))
+    way = rooms.distance(kind, top, ego, objects, room, bool(set_out) or any(map(lets_ego_come, crossing.values())))
     plan = Plan(
         place=place,
         duration=duration,

@@ -19,10 +19,12 @@ from c2s_engine.write.typed.tables import (
 )
 from c2s_engine.write.typed.usual import (
     NOSE_TO_TAIL,
+    SLOWS_DOWN,
     crosses,
     crosses_there,
     default_gap,
     extent,
+    lets_ego_come,
     pace_of,
     reach,
     right_behind,
@@ -57,6 +59,8 @@ BEHIND_WALK = 2.5
 """m from the road to a building."""
 CORNER = 3.0
 """m from what stands at the corner of a junction to where ego's lane ends."""
+TO_STAND = 12.0
+"""m that one drives, before it brakes, to a line at which it waits for ego, and that lie behind the line."""
 INSIDE = 1.1
 """m behind the face of a wide thing where somebody stands whom it hides."""
 AT_DOOR = 0.1
@@ -241,6 +245,8 @@ def to_junction(cid: str, spec: ObjectSpec, plan: Plan) -> float | tuple[float, 
     if cid in plan.set_out:
         return 18.0
     own, later = middle(speed_of(spec, plan.place)), middle(spec.placement.later or 0.0)
+    if own > 0 and lets_ego_come(spec):  # it stands by then
+        return TO_STAND + own**2 / (2 * SLOWS_DOWN)
     far = middle(plan.distance or 40)
     seconds = far / max(plan.ego_speed, 4) if plan.ego_speed > 0 else math.sqrt(far + 5)
     return max(8.0, min(own * (seconds + later) + 6.0, LONGEST_APPROACH)) if own > 0 else 8.0

@@ -43,6 +43,13 @@ def turn_of(phases: tuple[Phase, ...], default: str = "STRAIGHT") -> str:
     return default
 
 
+def lets_ego_come(o: ObjectSpec) -> bool:
+    """Whether one stands, at a junction, until ego has come near."""
+    stands = next((i for i, p in enumerate(o.phases) if p.action in ("stop", "wait", "stationary")), len(o.phases))
+    then = [p.trigger for p in o.phases[stands + 1 :] if p.trigger]
+    return any(t.kind in ("ttc", "distance") and t.of in (None, "ego") for t in then)
+
+
 def slows_before(speed: float, slower: float, rate: float = SLOWS_DOWN) -> Trigger:
     """When one brakes from a speed so as to come to a junction at a slower one (m/s, m/s2)."""
     metres = max(speed**2 - slower**2, 0.0) / (2 * rate)

@@ -2,6 +2,7 @@
 
 from collections.abc import AsyncGenerator, Iterable, Sequence
 from contextlib import AbstractAsyncContextManager
+from pathlib import Path
 from typing import Any, Protocol
 
 from c2s_engine.config import Settings
@@ -20,7 +21,7 @@ class Maps(Protocol):
 
     def named_in(self, program: str) -> MapFile | None: ...
 
-    def working_copy(self, map_file: MapFile) -> Any: ...
+    def working_copy(self, map_file: MapFile) -> Path: ...
 
 
 class EngineFacade(Turns, Checking, Protocol):

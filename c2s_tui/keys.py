@@ -4,6 +4,7 @@ from typing import Any
 
 from textual.binding import Binding
 from textual.content import Content
+from textual.widget import Widget
 from textual.widgets import Static
 
 from c2s_tui.commands import commands
@@ -16,7 +17,7 @@ SHORT = {"help": "help", "results": "results", "picture": "picture", "zoom": "zo
          "run": "apply and run", "fix": "apply the fix", "finding": "next finding", "find": "find"}  # fmt: skip
 
 
-def own(widget: Any, keymap: dict[str, str]) -> list[tuple[str, Binding]]:
+def own(widget: Widget | None, keymap: dict[str, str]) -> list[tuple[str, Binding]]:
     """The bindings of a widget and of the pane around it that have an id and a tooltip, each with its key."""
     found = []
     for node in widget.ancestors_with_self if widget is not None else ():
@@ -50,14 +51,14 @@ class KeyBar(Static):
         super().__init__("", markup=False, **options)
         self._shown: Content | None = None
 
-    def show(self, widget: Any, keymap: dict[str, str], width: int) -> None:
+    def show(self, widget: Widget | None, keymap: dict[str, str], width: int) -> None:
         words = row(widget, keymap, width)
         if words != self._shown:
             self._shown = words
             self.update(words, layout=False)
 
 
-def row(widget: Any, keymap: dict[str, str], width: int) -> Content:
+def row(widget: Widget | None, keymap: dict[str, str], width: int) -> Content:
     """The focused pane's keys, then those that hold everywhere, as far as there is room."""
     pane = [(named(key), b.description.lower()) for key, b in own(widget, keymap) if b.show and b.description]
     everywhere = [(named(keymap.get(c.id, c.key)), SHORT[c.name]) for c in commands().values() if c.name in ALWAYS]

@@ -7,11 +7,14 @@ import sys
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from c2s_engine.calibrate.manoeuvres import Manoeuvre
 from c2s_engine.dryrun.carla import CarlaUnavailable
 from c2s_engine.structure.facts import Trajectories
+
+if TYPE_CHECKING:
+    from c2s_engine.api import Engine
 
 GRACE = 10
 """s that a cancelled run has to give the server back."""
@@ -27,7 +30,7 @@ class NotDriven(RuntimeError):
 class DryRun:
     """The dry run of an engine."""
 
-    engine: Any
+    engine: "Engine"
 
     async def __call__(self, manoeuvre: Manoeuvre, file: Path) -> Trajectories:
         report = await self.engine.check(

@@ -4,7 +4,7 @@ import csv
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.text import Text
@@ -18,6 +18,9 @@ from c2s_engine.saving import beside, spans, taken
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.measures import Measures
 from c2s_engine.structure.requirements import Requirement, Result
+
+if TYPE_CHECKING:
+    from c2s_engine.api import Engine
 
 File = Annotated[Path, typer.Argument(help="A .scenic file.")]
 Seed = Annotated[int, typer.Option(help="The seed of the sampled scene.")]
@@ -184,7 +187,7 @@ async def _run(text: str, file: Path, seed: int, trust: bool, **options: Any) ->
         return await ran(engine, text, str(file.resolve().parent), file.name, seed, trust=trust, **options)
 
 
-async def ran(engine: Any, text: str, folder: str | None, filename: str, seed: int, **options: Any) -> Ran:
+async def ran(engine: "Engine", text: str, folder: str | None, filename: str, seed: int, **options: Any) -> Ran:
     """A program's dry runs with trajectories, and what is required of them. `options`: of `Engine.check`."""
     structure, program, words = await judged_by(engine, text, Path(folder) / filename if folder else None)
     report = await engine.check(

@@ -2,7 +2,7 @@
 
 import asyncio
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.console import Console
@@ -16,6 +16,9 @@ from c2s_engine.commands.reading import read_text
 from c2s_engine.structure.account import account
 from c2s_engine.structure.measures import collisions
 from c2s_engine.structure.progress import Finished, Say, StageStarted, StructureChanged
+
+if TYPE_CHECKING:
+    from c2s_engine.api import Engine
 
 
 def generate(
@@ -124,7 +127,7 @@ async def _generate(
     raise RuntimeError("the turn ended without a result")
 
 
-async def with_contradictions(engine: Any, done: Finished, seed: int) -> Finished:
+async def with_contradictions(engine: "Engine", done: Finished, seed: int) -> Finished:
     """A finished turn with what of its text contradicts itself, where its run did not show all that is required."""
     failing, name = any(not r.holds for r in done.results), done.details.get("map")
     if not failing or not name:

@@ -1,12 +1,15 @@
 """`c2s maps`, `c2s doctor`, `c2s glossary`, `c2s gallery`."""
 
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.table import Table
 from rich.text import Text
 
 from c2s_engine.commands.console import OK, REFUSED, InputError, dump, out, sentences, work
+
+if TYPE_CHECKING:
+    from c2s_engine.api import Engine
 
 Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
@@ -38,13 +41,13 @@ async def _maps(name: str | None) -> list[dict[str, Any]]:
         return [await _counted_or_why(engine, known) for known in engine.library.names()]
 
 
-async def _counted(engine: Any, name: str) -> dict[str, Any]:
+async def _counted(engine: "Engine", name: str) -> dict[str, Any]:
     found = engine.library.find(name)
     places = await engine.survey(found)
     return {"name": found.name, "path": str(found.path), "carla_map": found.carla_map, "places": places}
 
 
-async def _counted_or_why(engine: Any, name: str) -> dict[str, Any]:
+async def _counted_or_why(engine: "Engine", name: str) -> dict[str, Any]:
     """Of many maps, one that cannot be read must not take the others down."""
     from c2s_engine.check.client import CheckError
 

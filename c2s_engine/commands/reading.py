@@ -3,11 +3,14 @@
 import sys
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from c2s_engine.commands.console import InputError
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.program import Program, assemble
+
+if TYPE_CHECKING:
+    from c2s_engine.api import Engine
 
 LONGEST = 60_000
 """Characters of a description; a report beyond that is no scenario."""
@@ -88,7 +91,7 @@ def _decoded(data: bytes, name: str) -> str:
         return data.decode("latin-1")
 
 
-async def judged_by(engine: Any, text: str, file: Path | None) -> tuple[Structure, Program, str]:
+async def judged_by(engine: "Engine", text: str, file: Path | None) -> tuple[Structure, Program, str]:
     """The S by which a program is judged, where its components are, and in words which S that is: the one that was
     saved with the file, what was changed in it since as code by hand; else what is recognised in it, if anything."""
     from c2s_engine.check.client import CheckError

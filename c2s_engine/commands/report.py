@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.text import Text
@@ -10,6 +10,9 @@ from rich.text import Text
 from c2s_engine.commands.console import BAD_INPUT, OK, REFUSED, err, fail, out, sentences, work
 from c2s_engine.commands.reading import read_program
 from c2s_engine.report.material import Material, ReportError
+
+if TYPE_CHECKING:
+    from c2s_engine.api import Engine
 
 FORMATS = ("md", "html", "json")
 
@@ -55,7 +58,7 @@ def _tell(at: str) -> None:
 
 
 async def dossiers(
-    engine: Any, what: str, output: Path, form: str, method: str | None, seed: int, tell: Callable[[str], Any],
+    engine: "Engine", what: str, output: Path, form: str, method: str | None, seed: int, tell: Callable[[str], Any],
     drivers: bool = False,
 ) -> list[tuple[Material, Path]]:
     """The dossiers of a program, a session or a file of texts, written; `tell` is told which text it is at.

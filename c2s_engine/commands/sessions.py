@@ -7,7 +7,7 @@ import json
 from collections.abc import AsyncIterator
 from datetime import datetime
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.text import Text
@@ -18,7 +18,11 @@ from c2s_engine.commands.generate import exit_code, with_contradictions
 from c2s_engine.commands.reading import read_program
 from c2s_engine.commands.series import chosen_seeds, series
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.progress import Finished, Passage, Say
+from c2s_engine.structure.progress import Finished, Passage, Progress, Say
+
+if TYPE_CHECKING:
+    from c2s_engine.session.sessions import Session, Sessions
+    from c2s_engine.structure.edits import Edit
 
 app = typer.Typer(help="Sessions: list, rename, duplicate, delete, export, import.", no_args_is_help=True)
 
@@ -147,7 +151,7 @@ def import_session(file: Path, name: Annotated[str | None, typer.Option(help="An
         out.print(Text(_sessions().import_file(file, name)))
 
 
-def _sessions() -> Any:
+def _sessions() -> "Sessions":
     from c2s_engine.session.sessions import Sessions
 
     return Sessions()
@@ -162,7 +166,7 @@ def known(name: str, new: str = "--new") -> None:
         raise InputError(f"There is no session {name!r}: {there} {new} makes it.")
 
 
-def field_edit(name: str, value: Any) -> Any:
+def field_edit(name: str, value: Any) -> "Edit":
     """The edit of S that sets ID.FIELD; raises InputError."""
     from c2s_engine.structure.edits import SetDescription, SetField
 
@@ -174,12 +178,12 @@ def field_edit(name: str, value: Any) -> Any:
     return SetField(component=component, path=path, value=value)
 
 
-def edits_of(fields: list[str], remove: list[str], code: list[str]) -> list[Any]:
+def edits_of(fields: list[str], remove: list[str], code: list[str]) -> "list[Edit]":
     """The edits of S that options name: ID.FIELD=VALUE (the values as they are typed), IDs to remove, ID=FILE; raises
     InputError."""
     from c2s_engine.structure.edits import RemoveObject, SetCode
 
-    edits: list[Any] = []
+    edits: list[Edit] = []
     for given in fields:
         target, equals, text = given.partition("=")
         if not equals or "." not in target:
@@ -194,7 +198,7 @@ def edits_of(fields: list[str], remove: list[str], code: list[str]) -> list[Any]
     return edits
 
 
-def _meant(edit: Any, structure: Structure) -> Any:
+def _meant(edit: "Edit", structure: Structure) -> "Edit":
     """An edit with what its typed value means: as in the fields of the app (50 km/h, 5-8 m), or JSON in SI units.
     Raises EditError."""
     from c2s_engine.structure.edits import SetField
@@ -216,13 +220,13 @@ async def _work(
     name: str,
     program: tuple[Path, str] | None,
     say: str | None,
-    edits: list[Any],
+    edits: "list[Edit]",
     steps: tuple[bool, bool, bool, int | None],
     options: dict[str, Any],
     model: str | None,
     quiet: bool,
     contradictions: bool,
-) -> tuple[Any, Finished | None]:
+) -> "tuple[Session, Finished | None]":
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
     from c2s_engine.saving import taken
@@ -261,7 +265,7 @@ async def _work(
     return session, done
 
 
-async def _take(events: AsyncIterator[Any], quiet: bool) -> Finished | None:
+async def _take(events: AsyncIterator[Progress], quiet: bool) -> Finished | None:
     done, number = None, 0
     async for event in events:
         if isinstance(event, Passage) and not quiet:
@@ -275,7 +279,7 @@ async def _take(events: AsyncIterator[Any], quiet: bool) -> Finished | None:
     return done
 
 
-def state_of(session: Any) -> Finished:
+def state_of(session: "Session") -> Finished:
     """A session as it stands, as the end of a turn."""
     kept = {k: session.details[k] for k in ("folder", "map", "room") if k in session.details}
     return Finished(
@@ -284,7 +288,7 @@ def state_of(session: Any) -> Finished:
     )  # fmt: skip
 
 
-def _as_dict(session: Any, done: Finished | None) -> dict[str, Any]:
+def _as_dict(session: "Session", done: Finished | None) -> dict[str, Any]:
     from c2s_engine.commands.generate import as_dict
 
     state = done or state_of(session)
@@ -292,7 +296,7 @@ def _as_dict(session: Any, done: Finished | None) -> dict[str, Any]:
     return {**as_dict(state), "session": session.name, "history": history}
 
 
-def _print(session: Any) -> None:
+def _print(session: "Session") -> None:
     for turn in session.history[-5:]:
         when = datetime.fromtimestamp(turn.when).strftime("%Y-%m-%d %H:%M")
         out.print(Text(f"{turn.index + 1:>3}  {when}  {turn.text[:70]}  ({turn.summary})", style="dim"), soft_wrap=True)

@@ -1,6 +1,6 @@
 """The kinds of entries in the conversation."""
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from textual.app import ComposeResult
 from textual.containers import Vertical
@@ -12,6 +12,9 @@ from c2s_engine.retrieve.provenance import whose
 from c2s_engine.structure.progress import Passage
 from c2s_tui.look.kinds import colour, mark, mentions
 from c2s_tui.messages import CommandAsked, Picked
+
+if TYPE_CHECKING:
+    from textual.widgets.markdown import MarkdownStream
 
 LOST = {"background": "$text-muted", "not_expressible": "underline $text-warning",
         "not_understood": "underline $text-error"}  # fmt: skip
@@ -61,7 +64,7 @@ class Answer(Vertical):
         self.component = component
         self.text = ""
         self.thought = 0
-        self._stream: Any = None
+        self._stream: MarkdownStream | None = None
 
     def compose(self) -> ComposeResult:
         from textual.widgets import Markdown  # its parser is not needed to show a first screen

@@ -1,11 +1,12 @@
 """The editable program with Scenic's highlighting."""
 
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rich.segment import Segment
 from rich.style import Style
 from rich.text import Text
+from textual import getters
 from textual.binding import Binding
 from textual.document._document import Selection
 from textual.events import Key
@@ -16,11 +17,14 @@ from textual.widgets.text_area import TextAreaTheme
 
 from c2s_engine.structure.diagnostics import Diagnostic
 from c2s_engine.structure.layout import common
+from c2s_tui.app import C2SApp
 from c2s_tui.code.document import ProgramText, UnwrappedText
 from c2s_tui.code.folding import FoldedNavigator, Folding
 from c2s_tui.code.highlight import Blocks, Highlight, stale
-from c2s_tui.in_order import OrderedArea
 from c2s_tui.look.kinds import look
+
+if TYPE_CHECKING:
+    from c2s_tui.code.vim import Vim
 
 
 def code_theme(app_theme: str) -> TextAreaTheme:
@@ -38,7 +42,7 @@ def code_theme(app_theme: str) -> TextAreaTheme:
 KEPT_ROWS = 5000
 
 
-class CodeArea(Folding, OrderedArea):
+class CodeArea(Folding):
     """A TextArea whose highlights come from Pygments (Textual's own are tree-sitter's)."""
 
     HELP_NAME = "code"
@@ -46,12 +50,13 @@ class CodeArea(Folding, OrderedArea):
         Binding("ctrl+home", "go('start')", "First line", show=False, id="code.start", tooltip="Go to the first line"),
         Binding("ctrl+end", "go('end')", "Last line", show=False, id="code.end", tooltip="Go to the last line"),
     ]
+    app = getters.app(C2SApp)
     selection: Reactive[Selection] = reactive(Selection(), init=False, always_update=True, repaint=False)
     """As in TextArea, where each key draws the whole pane anew: here only the rows that it touches."""
 
     def __init__(self, **options: Any):
         self.problems: dict[int, Diagnostic] = {}
-        self.vim: Any = None  # Vim's keys, where they are wanted
+        self.vim: Vim | None = None  # Vim's keys, where they are wanted
         self._blocks = Blocks()
         self._plain: dict[Any, Strip] = {}  # by text and highlights of a row
         super().__init__(
@@ -92,7 +97,7 @@ class CodeArea(Folding, OrderedArea):
 
     def on_mount(self) -> None:
         self._dress()
-        if self.app.prefs.vim:  # type: ignore[attr-defined]
+        if self.app.prefs.vim:
             self.call_after_refresh(self.use_vim, True)
         self.app.theme_changed_signal.subscribe(self, lambda _: self._dress())
 

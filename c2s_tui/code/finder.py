@@ -1,13 +1,14 @@
 """The line below the code in which one types what to find, or the number of a line to go to."""
 
 import re
-from typing import Any
 
 from textual import on
 from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.containers import Horizontal
 from textual.widgets import Input, Static
+
+from c2s_tui.code.area import CodeArea
 
 
 class Finder(Horizontal):
@@ -29,14 +30,14 @@ class Finder(Horizontal):
         return self.query_one(Input)
 
     @property
-    def _code(self) -> Any:
-        return self.parent
+    def _area(self) -> CodeArea:
+        return self.screen.query_one(CodeArea)
 
     def open(self, text: str = "") -> None:
         """Show it, with a text to find; without one, with what is selected in the code."""
         self.add_class("-on")
         self.app.stylesheet.update(self)  # what is still hidden cannot take the focus
-        self.line.value = text or self._code.area.selected_text.split("\n")[0]
+        self.line.value = text or self._area.selected_text.split("\n")[0]
         self.screen.set_focus(self.line)
         self.line.action_end()
 
@@ -58,11 +59,11 @@ class Finder(Horizontal):
 
     def action_close(self) -> None:
         self.remove_class("-on")
-        self._code.area.focus()
+        self._area.focus()
 
     def _go(self, by: int) -> None:
         """To the place at the cursor or after it (0), the next (1), the one before (-1); round at the ends."""
-        wanted, area = self.line.value, self._code.area
+        wanted, area = self.line.value, self._area
         if wanted.strip().isdigit():
             row = max(0, min(int(wanted), area.document.line_count) - 1)
             area.move_cursor((row, 0), center=True)

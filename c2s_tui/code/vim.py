@@ -1,10 +1,13 @@
 """Vim's keys in the code, as an option: normal and insert mode, motions with counts, common edits; no visual mode."""
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from textual.events import Key
 
 from c2s_tui.messages import CommandAsked
+
+if TYPE_CHECKING:
+    from c2s_tui.code.area import CodeArea
 
 MOTIONS = {
     "h": "cursor_left", "left": "cursor_left", "l": "cursor_right", "right": "cursor_right", "j": "cursor_down",
@@ -22,7 +25,7 @@ TYPING = ("enter", "backspace", "delete", "tab")
 class Vim:
     """What is typed into one text area; `take` says whether a key was one of these."""
 
-    def __init__(self, area: Any):
+    def __init__(self, area: "CodeArea"):
         self.area = area
         self.normal = True
         self.lines = ""  # what dd and yy took

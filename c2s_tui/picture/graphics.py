@@ -2,9 +2,12 @@
 
 import os
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from textual_image.widget import SixelImage, TGPImage
 
 KITTY, SIXEL, BLOCKS, TEXT = "kitty", "sixel", "blocks", "text"
 WAYS = ("auto", KITTY, SIXEL, BLOCKS, TEXT)
@@ -31,7 +34,7 @@ def chosen(wanted: str, theme: str, plain: bool, colours: str | None, environ: M
     return SIXEL if term.startswith(SIXEL_TERMS) or program in SIXEL_PROGRAMS else BLOCKS
 
 
-def pixel_widget(way: str) -> type[Any]:
+def pixel_widget(way: str) -> "type[TGPImage | SixelImage]":
     """The widget of textual-image that shows an image by that protocol."""
     with _silent():
         from textual_image import widget
@@ -59,7 +62,7 @@ def cell_size() -> tuple[int, int]:
 
 
 @contextmanager
-def _silent() -> Any:
+def _silent() -> Iterator[None]:
     """textual-image asks the terminal while it is imported, which is too late once the app reads its keys: without a
     terminal it does not ask."""
     kept = sys.__stdout__

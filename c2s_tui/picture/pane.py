@@ -1,23 +1,28 @@
 """The picture pane: a run from above, stepped and played by key."""
 
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from textual import on
+from textual import getters, on
 from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.containers import Vertical
 from textual.timer import Timer
 from textual.widgets import Static
 
-from c2s_engine.structure.facts import RunFacts, Trajectories
+from c2s_engine.structure.facts import ContactFact, RunFacts, Trajectories
 from c2s_engine.structure.happening import USUAL
+from c2s_tui.app import C2SApp
 from c2s_tui.desk import Desk
 from c2s_tui.look.kinds import ascii_only
 from c2s_tui.messages import CommandAsked
 from c2s_tui.picture.draw import View, caption, draw, fitting, frames, names, turned
 from c2s_tui.picture.graphics import KITTY, SIXEL, TEXT, cell_size, chosen, pixel_widget
 from c2s_tui.picture.timebar import TimeBar
+
+if TYPE_CHECKING:
+    from PIL import Image
 
 FRAMES_PER_SECOND = 8
 ZOOM = 1.25
@@ -28,6 +33,7 @@ class PicturePane(Vertical, can_focus=True):
 
     BORDER_TITLE = "picture"
     HELP_NAME = "picture"
+    app = getters.app(C2SApp)
     BINDINGS = [
         Binding("space", "play", "Play", id="picture.play", tooltip="Play or pause"),
         Binding("left", "step(-0.1)", "Back", show=False, id="picture.back", tooltip="A step back"),
@@ -73,10 +79,11 @@ class PicturePane(Vertical, can_focus=True):
     @property
     def way(self) -> str:
         """How the terminal is to show it: kitty, sixel, blocks or text."""
-        app: Any = self.app
-        return chosen(app.prefs.graphics, app.theme, ascii_only(), app.console.color_system)
+        return chosen(self.app.prefs.graphics, self.app.theme, ascii_only(), self.app.console.color_system)
 
-    def _paint(self, ways: Trajectories, columns: int, rows: int, labels: dict[str, str], hits: Any) -> None:
+    def _paint(
+        self, ways: Trajectories, columns: int, rows: int, labels: dict[str, str], hits: Sequence[ContactFact]
+    ) -> None:
         """Draw the frame in the way that the terminal can show; sixel is too slow to play, so blocks stand for it."""
         frame, way = self.query_one("#frame", Static), self.way
         if way == TEXT:
@@ -96,7 +103,7 @@ class PicturePane(Vertical, can_focus=True):
         image = pixels.paint(ways, at, columns, rows, labels, self.view, colours, hits)
         frame.update(pixels.blocks(image, ways, at, labels, self.view, colours, hits), layout=False)
 
-    def _show_image(self, image: Any) -> None:
+    def _show_image(self, image: "Image.Image") -> None:
         there = self.query("#pixels")
         if there:
             there.first().image = image  # type: ignore[attr-defined]
@@ -155,7 +162,7 @@ class PicturePane(Vertical, can_focus=True):
     def action_play(self) -> None:
         if not self.available:
             return
-        if not self.app.prefs.animation:  # type: ignore[attr-defined]
+        if not self.app.prefs.animation:
             self.action_step(0.5)
             return
         if self.playing:

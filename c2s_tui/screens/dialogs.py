@@ -1,13 +1,13 @@
 """Small dialogs: a question, a list to choose from, a text to read."""
 
 from dataclasses import dataclass
-from typing import Any
 
 from textual import on
 from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.containers import Vertical, VerticalScroll
 from textual.content import Content
+from textual.events import Key
 from textual.screen import ModalScreen
 from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
@@ -36,7 +36,7 @@ class Confirm(ModalScreen[str | None]):
             foot = "Esc goes back" if self.by_key else "Down and Enter choose, Esc goes back"
             yield Static(foot, classes="foot", markup=False)
 
-    def on_key(self, event: Any) -> None:
+    def on_key(self, event: Key) -> None:
         if self.by_key and event.key in self.answers:
             event.stop()
             self.dismiss(self.answers[event.key][0])

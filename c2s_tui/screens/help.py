@@ -1,8 +1,7 @@
 """F1: what can be pressed in the focused pane, and what can be typed."""
 
-from typing import Any
-
 from textual.content import Content
+from textual.widget import Widget
 
 from c2s_tui.commands import commands
 from c2s_tui.keys import own, written
@@ -12,7 +11,7 @@ from c2s_tui.screens.dialogs import Reading
 WIDE = 22
 
 
-def help_screen(pane: str, widget: Any, keymap: dict[str, str]) -> Reading:
+def help_screen(pane: str, widget: Widget | None, keymap: dict[str, str]) -> Reading:
     """The help for a pane: its keys first, then the app's, the commands and the marks."""
     parts: list = []
     for name, bound in (("Here", _own(widget, keymap)), ("Everywhere", _app(keymap))):
@@ -39,7 +38,7 @@ def help_screen(pane: str, widget: Any, keymap: dict[str, str]) -> Reading:
     return Reading(f"Help: {pane}", Content.assemble(*parts))
 
 
-def _own(widget: Any, keymap: dict[str, str]) -> list[tuple[str, str]]:
+def _own(widget: Widget | None, keymap: dict[str, str]) -> list[tuple[str, str]]:
     return [(written(key), b.tooltip) for key, b in own(widget, keymap)]
 
 

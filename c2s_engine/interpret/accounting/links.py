@@ -11,7 +11,7 @@ from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.structure.components import Component, Link, Structure
 from c2s_engine.structure.leaves import leaves
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec, SettingsSpec
 from c2s_engine.structure.vocabulary import Action
 
 STATES = ("travel", "stationary", "keep_lane", "move_along", "go_straight")
@@ -34,7 +34,8 @@ def linked(scene: Scene, structure: Structure) -> Structure:
     single = {"time": settings.time, "map": settings.map, "preset": settings.preset}
     found = [_link(scene, f.span, "weather") for f in settings.weather]
     found += [_link(scene, f.span, name) for name, f in single.items() if f]
-    found += [_link(scene, f.span, "light") for f in scene.light if structure.settings.spec.light is not None]
+    if isinstance(spec := structure.settings.spec, SettingsSpec) and spec.light is not None:
+        found += [_link(scene, f.span, "light") for f in scene.light]
     structure = _with(structure, "G", found)
     if settings.ego_model:
         structure = _with(structure, "E", [_link(scene, settings.ego_model.span, "model")])

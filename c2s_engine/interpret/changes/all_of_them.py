@@ -18,4 +18,4 @@ def each_of_all(demand: str, structure: Structure) -> list[str]:
     found = [c for c in there if c.id.lower() not in match["rest"]]
     if not found or two and len(found) != 2:
         return [demand]
-    return found
+    return [f"{c.id.lower()}{match['rest']}" for c in found]

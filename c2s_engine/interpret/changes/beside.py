@@ -37,6 +37,8 @@ def abreast(clause: str, structure: Structure) -> Found | None:
 def _oncoming(who: str, other: str | None, structure: Structure) -> Found | None:
     """ "The tractor belongs in the oncoming lane", "... behind the car": there it does what it did."""
     component = refer(who, structure, alone=False)
+    if component is None:
+        return None
     before = refer(other, structure, alone=False) if other else None
     update: dict[str, str | None] = {"position": "oncoming_lane", "side": None}
     if before is not None and before.id not in ("E", component.id):

@@ -34,17 +34,13 @@ def called(plain: str, structure: Structure) -> str:
     for noun, kinds in _table()["nouns"]:
         there = next((found for kind in kinds if (found := _of_type(structure, kind))), None)
         if there:
-            found = rf"{_table()['definite']}\b(?:the |that |this |our )?(?:{noun})(?![\w-])"
-            plain = re.sub(found, called_by(there[0], structure), plain)
+            said = rf"{_table()['definite']}\b(?:the |that |this |our )?(?:{noun})(?![\w-])"
+            plain = re.sub(said, called_by(there[0], structure), plain)
     for component in structure.objects:
         name = spec_of(component).name.replace("_", " ")
         if len(name) > 3 and not scan.names(name):
             said = rf"\b(?:the )?{re.escape(name)}(?![\w-])"
             plain = re.sub(said, lambda m, c=component: _noun_or(m, c, structure), plain)  # type: ignore[misc]
-    if denied := re.match(_table()["denied"], plain):
-        who = denied
-        plain = plain if who == denied[0] else f"{who} should not {_table()['verbs'][denied['act']]}"
-    plain = re.sub(_table()["acts"], lambda m: _actor(m, structure), plain)
     return described(plain, structure)
 
 
@@ -70,12 +66,6 @@ def called_by(component: Component, structure: Structure) -> str:
 
 def _of_type(structure: Structure, kind: str) -> list[Component]:
     return [c for c in structure.objects if spec_of(c).type == kind]
-
-
-def _actor(match: re.Match[str], structure: Structure) -> str:
-    """One whose act begins: "start the overtaking", "the overtaking"."""
-    who = match
-    return f"{who} should start" if who != match[0] and (match["begin"] or match["starts"]) else who
 
 
 def _by_another(match: re.Match[str], structure: Structure) -> str:

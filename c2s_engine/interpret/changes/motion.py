@@ -33,7 +33,9 @@ def distance(clause: str, structure: Structure) -> Found | None:
     if component is not None and component.id == "E":
         component = refer(re.sub(r"\bego\b", " ", clause), structure, alone=False)
     if component is None or component.id == "E":
-        component = _only_one(structure)
+        component = next(iter(structure.objects), None)
+    if component is None:
+        return None
     spec = spec_of(component)
     between = re.search(r"\bbetween (?:the |each |them\b|one )|\bapart\b|\bin between\b", clause)
     if between and spec.count > 1 and quantity is not None:
@@ -51,10 +53,8 @@ def distance(clause: str, structure: Structure) -> Found | None:
         value = value_of(quantity)
     else:
         value = round(max(2.0, base + quantity["low"] * (1 if factor > 1 else -1)), 1)
-    edits = [
-        SetField(component=component.id, path="placement.gap", value=value),
-    ]
-    return edits, f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
+    edit = SetField(component=component.id, path="placement.gap", value=value)
+    return [edit], f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
 
 
 def _factor(clause: str, rows: str) -> float | None:
@@ -70,10 +70,6 @@ def _by_a_share(clause: str, factor: float | None) -> float | None:
     if factor is None or share is None or share >= 1 > factor:
         return factor
     return 1 + share if factor > 1 else 1 - share
-
-
-def _only_one(structure: Structure) -> Component | None:
-    return structure.objects[0] if structure.objects else None
 
 
 MIRROR = {
@@ -143,9 +139,11 @@ def reaction(clause: str, structure: Structure) -> Found | None:
 
 def _reacting_to(whom: str, structure: Structure) -> Found | None:
     """To whom ego reacts; it brakes for him where it did not react."""
-    other = refer(whom, structure, alone=False)
+    other, ego = refer(whom, structure, alone=False), structure.ego.spec
+    if other is None:
+        return None
     edits: list[Edit] = [SetField(component="E", path="react_to", value=other.id)]
-    if structure.ego.spec.reaction == "none":
+    if isinstance(ego, EgoSpec) and ego.reaction == "none":
         edits.append(SetField(component="E", path="reaction", value="brake"))
     return edits, f"ego reacts to {name_of(other)}"
 

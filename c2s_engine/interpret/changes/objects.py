@@ -70,8 +70,8 @@ def retype(clause: str, structure: Structure) -> Found | None:
         kind, plural = named[0].data["type"], named[0].data["plural"]
         if pattern == table["how_many"] and (not objects_of(structure, kind)):
             continue
-        who = match.groupdict().get("who")
-        alike = not who or who in ("it", "that", "this", "one", "just one", "only one", "a single one")
+        who = match.groupdict().get("who") or ""
+        alike = who in ("", "it", "that", "this", "one", "just one", "only one", "a single one")
         component = _akin(kind, structure) if alike else refer(who.split(" and ")[0] if plural else who, structure)
         if component is None:
             return None
@@ -90,7 +90,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
             edits.append(SetField(component=component.id, path="count", value=count))
         noun = kind.replace("_", " ")
         what = f"{count} {language.plurals(noun)[0]}" if count > 1 else f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
-        _besides(who or "", component, structure)
+        _besides(who, component, structure)
         if re.search(table["at_rest"], match["what"]):
             edits += [
                 SetField(component=component.id, path="speed", value=0.0),

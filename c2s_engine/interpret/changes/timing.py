@@ -28,8 +28,7 @@ def shifted(clause: str, structure: Structure) -> Found | None:
     comes = [0] if phases and spec_of(component).placement.position in table["coming"] else []
     number = next(iter(named or waits or told or acts or comes), None)
     seconds, metres = quantity_of(clause, "time"), quantity_of(clause, "distance")
-    moved = None if number is None else another_moment(phases[number], seconds, metres, later)
-    if number is None:
+    if number is None or (moved := another_moment(phases[number], seconds, metres, later)) is None:
         return None
     value = (*phases[:number], moved, *phases[number + 1 :])
     edit = SetField(component=component.id, path="phases", value=value)

@@ -73,8 +73,7 @@ def _merged(phases: list[Phase]) -> list[Phase]:
         last = found[-1] if found else None
         again = phase.trigger is not None and last is not None and phase.rate != last.rate  # "then brakes fully"
         back = last is not None and last.side and phase.side and last.side != phase.side
-        other = last is not None and phase.action == "overtake" and None not in (last.target, phase.target)
-        other = other and last.target != phase.target
+        other = last is not None and phase.action == "overtake" and len({last.target, phase.target} - {None}) == 2
         if last is not None and last.action == phase.action and not (again or back or other):
             found[-1] = last.model_copy(update={k: v for k, v in phase if v is not None and getattr(last, k) is None})
             continue

@@ -171,8 +171,8 @@ def steps_of(
                     )
                 ]
         gone = next((p for p in before if p.action == "cut_out"), None)
-        back = gone is not None and (towards and gone.side and towards != gone.side)
-        if placement.position == "ahead" and placement.of == "ego" and back:
+        returns = gone is not None and towards and gone.side and towards != gone.side
+        if placement.position == "ahead" and placement.of == "ego" and returns:
             return [Phase(action="cut_in", side=towards, target=ego, trigger=trigger)]
         if placement.position == "ahead" and placement.of == "ego":
             return [Phase(action="cut_out", side=towards, target=ego, trigger=trigger)]

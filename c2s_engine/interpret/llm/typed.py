@@ -175,7 +175,7 @@ def _builder(cid: str, still: bool = False) -> Callable[[dict[str, Any]], tuple[
             value["limits"] = [c for c in value["limits"] if _bounds_something(c)]
         if still and not words.is_thing(value["type"]):
             value["speed"] = 0
-        unmet = (Unmet(text=left, reason="the form has no field for it"),) if left.strip() else ()
+        unmet: tuple[Unmet, ...] = (Unmet(text=left, reason="the form has no field for it"),) if left.strip() else ()
         unmet += tuple(Unmet(text=said, reason="what it stands beside does not take it") for said in untaken(value))
         return spec_class(cid[0]).model_validate(value), unmet  # type: ignore[return-value]
 

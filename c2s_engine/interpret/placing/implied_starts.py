@@ -39,8 +39,8 @@ def implied_start(scene: Scene, entity: Entity, acts: list[str], place: PlaceSpe
         return {"position": "crossing_left"}
     if junction and "turn" in acts:
         event = scene.does(entity, "turn")
-        across = re.search(r"across|in front of|into the path|path of|cut", event.whole if event else "")
-        across = across or "adversary" in entity.roles  # it turns so that ego has to answer
+        told = re.search(r"across|in front of|into the path|path of|cut", event.whole if event else "")
+        across = told or "adversary" in entity.roles  # it turns so that ego has to answer
         if event is not None and side(event) == "left" and (across or place.manoeuvre == "straight"):
             return {"position": "opposite_approach"}
         return (

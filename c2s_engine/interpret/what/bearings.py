@@ -66,7 +66,7 @@ def _by_mentions(clauses: Clauses, who: Entity) -> int | None:
     """The heading told right beside a mention: "a westbound Tahoe", "V1, eastbound on Main Street, ..."."""
     for mention in who.mentions:
         sentence = clauses.words[mention.word].sentence
-        before = []
+        before: list[Word] = []
         for word in reversed(clauses.words[max(0, mention.word - LOOKS_BACK) : mention.word]):
             if word.sentence != sentence or word.i in clauses.cast.of or not word.tag.startswith(("JJ", "NN", "CD")):
                 break

@@ -160,8 +160,8 @@ class Clauses(Deverbal):
             return  # "her phone, which was lying in the footwell"
         if event.act == "start_straight":
             event.act = "start"
-            told = {"order": word.i + 0.1, "mode": self._mode(word), "words": [word.i]}
-            self.events.append(Event("go_straight", event.agent, word.i, text, whole, **told))
+            mode, i = self._mode(word), word.i
+            self.events.append(Event("go_straight", event.agent, i, text, whole, mode=mode, order=i + 0.1, words=[i]))
         if event.act in ("brake", "brake_stop", "stop") and not event.hard:
             following = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 5] if w.sentence == word.sentence)
             forceful = word.i > 0 and self.words[word.i - 1].norm in FORCEFUL  # "harsh braking by the VUT"
@@ -175,8 +175,8 @@ class Clauses(Deverbal):
                 )
             )
         if event.act == "follow" and event.patient is None and not passive and text.strip(" .,;") == "follow":
-            led = [e.agent for e in self.events if self.words[e.word].sentence == word.sentence and e.agent.mover]
-            event.patient = next((e for e in reversed(led) if e is not event.agent), None)
+            movers = [e.agent for e in self.events if self.words[e.word].sentence == word.sentence and e.agent.mover]
+            event.patient = next((e for e in reversed(movers) if e is not event.agent), None)
         event.words, event.mode, event.passive = own, self._mode(word), passive
         if any(self.words[c].norm in NEARLY for c in word.children):
             event.mode = event.mode if event.act in AS_GOOD_AS or event.act in SHORT_OF else "hypothetical"

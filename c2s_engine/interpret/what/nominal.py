@@ -72,10 +72,10 @@ class Nominal(Timing):
             or any(e.act == "overtake" and e.agent is agent for e in self.events)
         ):
             return
-        told = {"patient": self.cast.ego, "order": float(word.i), "words": [word.i]}
-        self.events.append(
-            Event("overtake", agent, word.i, "overtake", "overtake", start=word.start, end=word.end, **told)
-        )
+        self.events.append(Event(
+            "overtake", agent, word.i, "overtake", "overtake", self.cast.ego, order=float(word.i),
+            start=word.start, end=word.end, words=[word.i],
+        ))  # fmt: skip
 
     def _striking(self, word: Word) -> None:
         """A participle of contact taken for an adjective of whom it hits: "did not slow down, striking V1"."""

@@ -1,4 +1,4 @@
-"""What single clauses cannot tell: denied stops before signs, waiting for another, echoes of other clauses."""
+"""What single clauses cannot tell: denied stops before signs, waiting for another."""
 
 import re
 
@@ -6,7 +6,6 @@ from c2s_engine.interpret.surroundings.place import Road
 from c2s_engine.interpret.what.avoiding import abandoned, by_means
 from c2s_engine.interpret.what.backstory import was_over
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.echoes import echoes
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.halfway import go_after, set_out
 from c2s_engine.interpret.what.heeded import hindered, merged_back, unheeded
@@ -69,9 +68,9 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             and cast.words[event.word].norm in ("move", "moving")
             and event.act in ("travel", "start", "move_along")
         ):
-            before = any(cast.words[c].norm == "had" for c in cast.words[event.word].children)
+            had = any(cast.words[c].norm == "had" for c in cast.words[event.word].children)
             moved = any(e.agent is event.agent and e.act in ("reverse", "start") and e.done for e in clauses.events)
-            event.act, event.mode = "stationary", "hypothetical" if moved and before else "fact"
+            event.act, event.mode = "stationary", "hypothetical" if moved and had else "fact"
         if event.act == "yield" and event.mode == "negated" and not event.agent.ego:
             event.act, event.mode = "cross_path", "fact"
         if event.act == "turn_or_change":
@@ -122,17 +121,12 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 given_way = {"patient": event.agent, "order": event.order - 0.1, "words": [event.word]}
                 clauses.events.append(Event.echo(event, act="yield", agent=cast.ego, **given_way))
     for event in clauses.events:
-        if event.agent.ego and event.mode == "intended" and event.act in ("lane_change", "overtake", "turn", "cut_in"):
-            later = " ".join(
-                w.norm for w in cast.words if w.i > event.word and w.sentence - cast.words[event.word].sentence <= 1
-            )
-    for event in clauses.events:
         if (
             event.mode in ("intended", "purpose")
             and not event.agent.ego
             and event.act in ("turn", "u_turn", "go_straight")
         ):
-            waits = clauses._lemma(cast.words[cast.words[event.word].head]) in (
+            about_to = clauses._lemma(cast.words[cast.words[event.word].head]) in (
                 "wait",
                 "signal",
                 "prepare",
@@ -143,18 +137,16 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
                 e for e in clauses.events if e.agent is event.agent and e.act in ("stationary", "stop") and e.done
             ]
             later = [e for e in clauses.events if e.agent is event.agent and e.act == event.act and e.word > event.word]
-            if waits and stands and not later:
+            if about_to and stands and not later:
                 event.mode = "hypothetical"
     headings(cast, clauses)
     passed(cast, clauses)
     by_the_other_lane(clauses, road)
     abandoned(cast, clauses)
-    turns = [e for e in clauses.events if e.agent.ego and e.act == "turn" and e.done and side(e) is None]
     own_turns(cast, clauses)
     waited_turns(clauses)
     goes_first(clauses)
     waited_for(cast, clauses)
-    echoes(cast, clauses)
     _meant_and_done(clauses)
     there_and_back(clauses)
     overtakings(clauses)

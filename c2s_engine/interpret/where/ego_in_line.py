@@ -52,7 +52,7 @@ def _same(group: Entity, at: int, cast: Cast, clauses: Clauses) -> None:
 
 def _take_apart(group: Entity, at: int, cast: Cast, of: dict[Entity, Where]) -> None:
     """Place the members of a group of which ego is one by their numbers."""
-    members = {}
+    members: dict[int, Entity] = {}
     for one in [e for e in cast.entities if e.group is group]:
         first = group.count if one.ordinal == -1 else one.ordinal or 0
         members |= dict.fromkeys(range(first, first + one.count), one)

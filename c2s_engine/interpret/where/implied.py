@@ -124,7 +124,8 @@ def _behind_whom_it_follows(event: Event, clauses: Clauses, of: dict[Entity, Whe
     """Who follows another that is in a lane of its own is behind that one, where nothing else is told of it."""
     follower, leader = event.agent, event.patient
     if (
-        follower is leader
+        leader is None
+        or follower is leader
         or follower not in of
         or any(e.agent is leader and e.patient is follower for e in clauses.events)
     ):

@@ -131,7 +131,7 @@ class Inferred(Concealed):
             where = self.of[entity]
             if where.lane not in ("left", "right") or where.of is not None or self.ego_lane is not None:
                 continue
-            stands = not entity.mover or entity.roles & {"stationary", "parked"}
+            stands = not entity.mover or bool(entity.roles & {"stationary", "parked"})
             stands = stands or any(e.agent is entity and e.act == "stationary" for e in self.clauses.events)
             named = " ".join(t for _, t in where.phrases)
             if not stands or not re.search(r"(left|right)[\w-]* lane", named):

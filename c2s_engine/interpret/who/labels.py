@@ -57,10 +57,10 @@ class Labels(Nouns):
             return host
         noun = data["word"] if data["word"] in language.actor_nouns() else label.rsplit(" ", 1)[0]  # "van a" by "a"
         part = noun in language.table("ego")["labels"]["parts"]
-        known = " " in label and noun in language.actor_nouns() and not part
-        kind = language.actor_nouns()[noun][0] if known else "vehicle"
+        typed = " " in label and noun in language.actor_nouns() and not part
+        kind = language.actor_nouns()[noun][0] if typed else "vehicle"
         return self._new(
-            Entity("", kind, noun=noun if known else "", label=label, typed=kind != "vehicle", roles=stands)
+            Entity("", kind, noun=noun if typed else "", label=label, typed=kind != "vehicle", roles=stands)
         )
 
     def become_ego(self, entity: Entity) -> None:

@@ -153,8 +153,6 @@ class Nouns(Attached, NotThere, Counted):
             titled = None
         if (titled := titled or first_told) is not None:
             return self._retyped(titled, kind, roles, noun)
-        if kind != "vehicle" and previous in ("a", "an") or {"a", "an"} & set(before):
-            named = None
         if noun == "road works" or kind in ZONES:
             for entity in self.entities:
                 if entity.type == kind:

@@ -132,16 +132,16 @@ class Reference(Owned):
             many = [e for e in many if e.count == count] if counted else many
             if many:
                 return many[-1]
-            told = {w.norm for w in self.words[max(0, word.i - 2) : word.i]} & ALL_OF_THEM
+            all_of_them = {w.norm for w in self.words[max(0, word.i - 2) : word.i]} & ALL_OF_THEM
             every = VEHICLES if noun == "vehicles" else CARS if noun == "cars" else ()
             fitting = [e for e in self.entities if e.type in every] if every else candidates
             singles = sorted((e for e in fitting if e.mentions and e.count == 1), key=lambda e: e.mentions[-1].word)
             if self.ego.mentions and noun in ("vehicles", "cars") and len(singles) == count - 1:
                 singles.append(self.ego)
-            if told and len(singles) >= count:
+            if all_of_them and len(singles) >= count:
                 return self._all_of(word, sorted(singles[-count:], key=lambda e: (e.ego, e.mentions[0].word)))
             return None
-        scored = []
+        scored: list[tuple[float, int, Entity]] = []
         never = kind == "vehicle" and noun in language.actor_nouns() and noun not in ANYBODY
         for entity in [
             *candidates,

@@ -53,8 +53,7 @@ class Salience(Excluded):
         same = [(i, e) for i, e in self.subjects if i < word.i and accept(e) and e is not clash]
         last = [i for i in sorted(self.of) if i < word.i and accept(self.of[i]) and self.of[i] is not clash]
         if word.norm in ("it", "its"):  # "a car in the lane to our left. Its driver": not ours
-            told = [i for i in last if self.words[i].norm not in MINE and i not in self.both]
-            last = told or last
+            last = [i for i in last if self.words[i].norm not in MINE and i not in self.both] or last
         if not last:
             beside = holder is not None and holder is not subject and subject is not None
             return (

@@ -29,6 +29,8 @@ LATE = 3.0
 """s before a contact within which one swerves too late."""
 WAITS = 20.0
 """m before a junction within which one waits there."""
+HELD = 0.8
+"""rad that one who waits in the middle of a junction has turned by then at most."""
 LONGEST = 8.0
 """s that a move to the side takes at most until it is seen."""
 
@@ -103,6 +105,12 @@ def onset(motion: Motion, action: str, time: float) -> float:
         while at > 0 and sign * motion.acceleration[at - 1] > rate:
             at -= 1
         return float(motion.time[at])
+    if action in TURNS:  # one that holds in the junction turns as it sets off again
+        turned = np.abs(motion.heading - motion.heading[at])
+        held = np.flatnonzero((motion.speed < STANDING) & (turned < HELD) & (motion.time > time))
+        there = motion.stay(float(motion.time[held[-1]])) if held.size else None
+        if there is not None and there.kind == "junction":
+            return float(motion.time[min(int(held[-1]) + 1, len(motion.time) - 1)])
     if action in (*SETS_OUT, *TURNS) and (stood := np.flatnonzero(motion.speed[: at + 1] < STANDING)).size:
         return float(motion.time[min(int(stood[-1]) + 1, at)])
     return time

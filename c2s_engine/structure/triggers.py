@@ -16,8 +16,8 @@ def is_watched(t: Trigger, actor: str | None = None) -> bool:
 def gives_way_by(ego: EgoSpec) -> bool:
     """Whether ego's own phases say how it gives way to whom it yields: they wait for how far that one has come."""
     watched = [t for p in ego.phases for t in (p.trigger, p.until) if t and t.kind in ("passed", "ttc", "distance")]
-    names = {name for t in watched for name in (t.subject, t.of)}
-    return ego.reaction == "yield" and ego.react_to is not None and ego.react_to in names
+    names = {name for t in watched for name in (t.subject, t.of)} - {None, "ego"}
+    return ego.reaction == "yield" and bool(names) and ego.react_to in {None, *names}
 
 
 def clause(t: Trigger, one: str, other: str) -> str:

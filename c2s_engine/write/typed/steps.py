@@ -130,19 +130,27 @@ def _stop(c: Course, p: Phase) -> list[Step]:
     if p.trigger and (p.trigger == AT_LINE or p.trigger.kind == "light") and (lane := c.actor.to_junction):
         own = "" if rate == 3.5 else f", rate={scope.number(rate - 0.5)}"
         first = ([f"do StopAtLine(line, {lane}, {c.speed}{own})"], "")
-    if held := held_for(c, p):
-        reach = SHORT if p.target else IN_MIDDLE
-        rest = f"lambda: short_of_ways(self, line, [{', '.join(held)}], {c.speed}, room={reach})"
-        first = ([c.drive(rest, 5)], "until self.speed < 0.2")
-        c.held = True
+    first = _short_of_them(c, p) or first
     if p.duration is None and (until := sets_out_to_meet(c)):
         return [first, ([drive], until)]
     return [first, ([drive], ending(p, "for 1 seconds"))]
 
 
+def _short_of_them(c: Course, p: Phase) -> Step | None:
+    """To a stand in the junction, short of the ways of those for whom one holds there; None: it holds elsewhere."""
+    held = held_for(c, p)
+    if not held:
+        return None
+    c.held = True
+    reach = SHORT if p.target else IN_MIDDLE
+    rest = f"lambda: short_of_ways(self, line, [{', '.join(held)}], {c.speed}, room={reach})"
+    return [c.drive(rest, 5)], "until self.speed < 0.2"
+
+
 def _wait(c: Course, p: Phase) -> list[Step]:
     until = "" if p.duration is not None else sets_out_to_meet(c)
-    return [([c.drive("0", 4)], until or ending(p, "for 3 seconds"))]
+    first = _short_of_them(c, p)
+    return [*([first] if first else []), ([c.drive("0", 4)], until or ending(p, "for 3 seconds"))]
 
 
 def _start(c: Course, p: Phase) -> list[Step]:

@@ -12,6 +12,8 @@ from c2s_engine.write.typed.usual import SETS_OUT, SIREN, walks_first
 
 SETS_OFF = {*TURN, "start"}
 HOLDS = {"stop", "wait"}
+STAYS = {*HOLDS, "yield", "stationary"}
+"""What one who has let another pass does that stays where it stands."""
 IN_MIDDLE, SHORT = 4, 1
 """m before another's way at which one waits in the middle of a junction, and stops for one that it then sees."""
 ROOM = 4
@@ -33,6 +35,7 @@ def yields(c: Course, p: Phase) -> list[Step]:
         hold = c.drive(f"lambda: short_of_ways(self, line, [{other}], {goal}, room={SHORT})", 5)
         return [([hold], f"until clear_of_ways(self, line, [{other}])"), *_onward(c, then)]
     go = ([c.drive(c.set(_moving_on(c, p)), 2)], "for 4 seconds")
+    stays = then is not None and (then.action in STAYS or then.trigger is not None and then.trigger.kind == "passed")
     if in_next_lane(c, p):
         return [*_let_by(c, other), *([] if then and then.action == "lane_change" else [go])]
     if lane is None or _on_foot_behind(c, p) or c.behind and _comes_towards(c, p):
@@ -48,8 +51,9 @@ def yields(c: Course, p: Phase) -> list[Step]:
     gone = f"passed({other}, self)" + (f" and {first}" if first else "")
     if c.actor.plan.place.kind == "roundabout" and not first:
         gone += f" or left_ring({other})"
-    up = [] if _waits_there(c, p) else [([c.drive()], near)]
-    return [*up, ([stop], f"until {gone}"), go]
+    before = phases[phases.index(p) - 1].action if p in phases[1:] else ""
+    up = [] if before in STAYS or _waits_there(c, p) else [([c.drive()], near)]
+    return [*up, ([stop], f"until {gone}"), *([] if stays else [go])]
 
 
 def _onward(c: Course, then: Phase | None) -> list[Step]:

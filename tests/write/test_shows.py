@@ -8,7 +8,7 @@ import yaml
 
 from c2s_engine.structure.components import Component
 from c2s_engine.structure.facts import ObjectFacts
-from c2s_engine.structure.specs import SettingsSpec
+from c2s_engine.structure.specs import RestrictionsSpec, SettingsSpec
 from tests.write.test_golden import structure
 
 CASES = yaml.safe_load((Path(__file__).parent / "shows.yaml").read_text(encoding="utf-8"))
@@ -31,27 +31,32 @@ def _holds(thing: ObjectFacts, wanted: str, seen: set[str]) -> bool:
 
 
 async def shown(engine: Any, case: dict[str, Any]) -> Any:
-    """The facts of a run of a case, and the program."""
+    """What came of a case: its program, the facts of the run, and what S requires of it."""
     made = structure(case)
     made = made.with_component(Component(id="G", spec=SettingsSpec.model_validate(case.get("G", {}))))
+    if "T" in case:
+        made = made.with_component(Component(id="T", spec=RestrictionsSpec.model_validate(case["T"])))
     async for event in engine.realise(made, seed=0):
         last = event
     assert last.ok, last
-    return last.facts[0], last.program.text
+    return last
 
 
 @pytest.mark.full(one_of=6)
 @pytest.mark.parametrize("name", CASES)
 async def test_the_run_shows_it(engine, name):
     case = CASES[name]
-    facts, _ = await shown(engine, case)
+    done = await shown(engine, case)
+    facts = done.facts[0]
     components = {o.name: o.component for o in facts.objects}
     for thing in facts.objects:
         assert not missing(thing, case["shows"].get(thing.component, []), components), thing.component
+    if case.get("whole"):
+        assert not [r for r in done.results if not r.holds]
 
 
 @pytest.mark.full
 async def test_a_limit_that_no_road_has_is_posted_by_the_program(engine):
-    facts, program = await shown(engine, {"R": {"kind": "straight", "speed_limit": 17.9}})
-    assert "param speed_limit = 64" in program
-    assert 64 in facts.speed_limits_kmh
+    done = await shown(engine, {"R": {"kind": "straight", "speed_limit": 17.9}})
+    assert "param speed_limit = 64" in done.program.text
+    assert 64 in done.facts[0].speed_limits_kmh

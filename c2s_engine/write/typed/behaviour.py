@@ -72,7 +72,10 @@ def _steps(course: Course) -> list[Step]:
         done.append(([course.drive(SLOW if course.actor.sets_out else None)], ""))
     for i, phase in enumerate(phases):
         ended = i > 0 and phases[i - 1].until is not None  # what comes before lasts until that
-        condition = _nears(course, phase) or stated(course, phase) if phase.trigger else "" if ended else implicit(course, phase, i == 0)
+        if phase.trigger:
+            condition = _nears(course, phase) or stated(course, phase)
+        else:
+            condition = "" if ended else implicit(course, phase, i == 0)
         if condition:
             if not done:
                 done.append(([course.drive()], ""))

@@ -1,14 +1,17 @@
 """How one passes another: out of its lane where there is room, by, and back."""
 
+from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.collisions import Step
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.lanes import leaves_lane
 from c2s_engine.write.typed.passing import NARROW, comes_back, faster, pull_out, sideways, to_slow
-from c2s_engine.write.typed.tables import HALF_LANE, LANE_NAME, is_static, is_vehicle
+from c2s_engine.write.typed.tables import HALF_LANE, LANE_NAME, WIDTH, is_static, is_vehicle
 from c2s_engine.write.typed.threats import hits_ego, is_hit, members
 
+SPARE = 0.2
+"""m more than is said that one keeps aside."""
 INSIDE = 2.3
 """m that riders keep aside from the middle of a car's lane where they pass it on the inside."""
 BACK = "for 4 seconds"
@@ -44,12 +47,28 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
         back = c.along_lane()
         out, home_again = [line, c.drive(c.speed)], [back, c.drive(c.speed)]
     else:
-        inside = INSIDE if c.actor.spec.type in NARROW else sideways(c.other(p.target))
+        inside = INSIDE if c.actor.spec.type in NARROW else max(sideways(c.other(p.target)), _kept_aside(c, p))
         aside = scope.number(-inside if p.side == "right" else inside)
         out, home_again = [c.drive(c.speed, offset=aside, shift=2)], [c.drive(c.speed)]
     if p.abandoned:
         return [*waits, *_breaks_off(c, p, out, home_again, aside)]
     return [*waits, (out, f"until {past}"), *([] if scrapes else [(home_again, BACK)])]
+
+
+def _kept_aside(c: Course, p: Phase) -> float:
+    """How far (m) to the side it passes at least, by the room that S keeps between the two; 0: it says nothing."""
+    pair = {_reference(c.actor.cid), p.target or "ego"}
+    limits = getattr(c.actor.structure.restrictions.spec, "limits", ())
+    rooms = [li.minimum for li in limits if li.kind == "gap" and li.minimum and {li.subject, li.other} == pair]
+    rooms += [middle(p.clearance)] if p.clearance is not None else []
+    whom = c.other(p.target)
+    if not rooms or whom is None:
+        return 0.0
+    return round(max(rooms) + SPARE + (WIDTH[c.actor.spec.type] + WIDTH[whom.type]) / 2, 1)
+
+
+def _reference(cid: str) -> str:
+    return "ego" if cid == "E" else cid
 
 
 def pulls_out(c: Course, p: Phase) -> str:

@@ -23,7 +23,7 @@ def write_restrictions(structure: Structure, plan: Plan) -> str:
         lines.append(f"require {when}{_condition(structure, c)}")
     for c in spec.terminate_when:
         guard = "" if c.kind == "time" else "clock() > 1 and "  # a run does not end as it begins
-        lines.append(f"terminate when {guard}{_condition(structure, c)}")
+        lines.append(f"terminate when {guard}{_done(structure, c) or _condition(structure, c)}")
     lines.append(f"terminate after {scope.number(plan.duration)} seconds")
     return "\n".join(lines)
 
@@ -33,6 +33,21 @@ def _hiding(structure: Structure, c: Condition) -> str:
     seen = structure[c.other].spec if c.kind == "not_visible" and c.subject == "ego" and c.other else None
     by = seen.placement.hidden_by if isinstance(seen, ObjectSpec) else None
     return scope.reference(structure, by).replace("[0]", "[-1]") if by else ""
+
+
+def _done(structure: Structure, c: Condition) -> str:
+    """That somebody has done something which takes a while: overtaken and come back, crossed the junction; "": the
+    action is over as soon as it can be seen."""
+    subject = scope.reference(structure, c.subject)
+    if c.kind == "action" and c.action in ("turn_left", "turn_right", "go_straight"):
+        return f"has_crossed({subject})"
+    if c.kind != "action" or c.action != "overtake":
+        return ""
+    phases = getattr(structure["E" if c.subject == "ego" else c.subject].spec, "phases", ())
+    whom = next((p.target for p in phases if p.action == "overtake"), None) or "ego"
+    other = scope.reference(structure, whom)
+    past = f"lead_on({subject}, {other}) > 10 + {subject}.length"
+    return f"{past} and {subject}._lane is {other}._lane and not off_lane({subject})"
 
 
 def _condition(structure: Structure, c: Condition) -> str:

@@ -22,7 +22,8 @@ SIDEWAYS = (*OVER_LINE, "swerve", "drift")
 LANE = 3.5
 """m, of most maps' lanes."""
 BEGUN = 0.3
-"""m to the side by which one has begun to move there."""
+"""m to the side by which one has begun to move there, which it has from when it was `AT_REST`, m."""
+AT_REST = 0.05
 NEAR = 60.0
 """m within which one is for whom another waits."""
 LATE = 3.0
@@ -97,7 +98,12 @@ def onset(motion: Motion, action: str, time: float) -> float:
     if action in (*SIDEWAYS, "overtake"):  # who overtakes begins as it pulls out
         first = motion.at(time - LONGEST)
         moved = np.abs(beside(motion)[first : at + 1] - beside(motion)[first])
-        return float(motion.time[first + int((moved > BEGUN).argmax())]) if (moved > BEGUN).any() else time
+        if not (moved > BEGUN).any():
+            return time
+        begun = int((moved > BEGUN).argmax())
+        while begun > 0 and AT_REST < moved[begun - 1] < moved[begun]:
+            begun -= 1
+        return float(motion.time[first + begun])
     if action in (*SLOWS, "accelerate"):
         sign, rate = (-1 if action in SLOWS else 1), bounds()["phase"]["change_rate"]["value"] / 2
         while at > 0 and sign * motion.acceleration[at] <= rate and motion.time[at] > time - 1.0:

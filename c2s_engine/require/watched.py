@@ -108,7 +108,12 @@ def comes_about(requirement: Requirement, evidence: Evidence) -> float | None:
         found = evidence.contacts(str(v["subject"]), str(v["than"]))
         return found[0].time if found else None
     if kind == "seen":
-        return (other if v["subject"] == EGO else one).visible_from() if EGO in (v["subject"], v["than"]) else None
+        if EGO not in (v["subject"], v["than"]):
+            return None
+        shown = (other if v["subject"] == EGO else one).visible_from()
+        if shown != 0.0:  # it comes out from behind something
+            return shown
+        kind, value = "distance", bounds()["order"]["view"]["value"]
     holds = _of_two(kind, one, other, value)
     first = np.flatnonzero(holds)
     return float(one.time[first[0]]) if len(first) else None

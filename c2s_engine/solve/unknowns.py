@@ -24,19 +24,27 @@ STANDS_FOR = 3.0
 LIMITS = {"gap": (2.0, 250.0), "speed": (1.0, 36.0), "rate": (1.0, 9.0), "duration": (1.0, 60.0),
           "distance": (15.0, 190.0), "trigger": (1.0, 15.0), "later": (-30.0, 30.0)}  # fmt: skip
 """What may be chosen, by the last part of the path: m, m/s, m/s2, s, m, s, s."""
+STRAYS = 0.3
+"""The share of what is usual by which a speed may be higher or lower."""
 
 
 @dataclass(frozen=True)
 class Unknown:
-    """A field that is open. `value`: what is written for it now, SI units; for a trigger the s since the start."""
+    """A field that is open. `value`: what is written for it now, SI units; for a trigger the s since the start;
+    `usual`: what is usual there, from which it does not stray."""
 
     component: ComponentId
     path: str
     value: float
+    usual: float | None = None
 
     @property
     def limits(self) -> tuple[float, float]:
-        return LIMITS[self.path.rsplit(".", 1)[-1]]
+        least, most = LIMITS[self.path.rsplit(".", 1)[-1]]
+        if not self.usual:
+            return least, most
+        low, high = (1 - STRAYS) * self.usual, (1 + STRAYS) * self.usual
+        return max(least, min(self.value, low)), min(most, max(self.value, high))
 
     def set_to(self, value: float, digits: int = 1) -> Move:
         """The move that gives it `value`, within its limits and rounded; none where that changes nothing."""
@@ -125,7 +133,7 @@ def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator
         speed = usual.speeds.get(cid, 0.0)
         follows = bool(spec.phases) and spec.phases[0].action == "follow"  # as fast as whom it follows
         if speed > 0 and spec.pace is None and is_open("speed", spec.speed) and not follows:
-            yield Unknown(cid, "speed", speed)
+            yield Unknown(cid, "speed", speed, usual.typical.get(cid))
         for i, phase in enumerate(spec.phases):
             by_place = isinstance(spec, ObjectSpec) and spec.placement.position in APPROACH_ANGLE
             late = phase.action == "brake" and any(p.action == "collide" for p in spec.phases[i + 1 : i + 2])

@@ -11,7 +11,7 @@ from c2s_engine.solve import PLANNER, Outcome, solve, unknowns
 from c2s_engine.solve.defaults import with_usual_reaction
 from c2s_engine.solve.moves import moves
 from c2s_engine.solve.reaching import further
-from c2s_engine.solve.unknowns import LIMITS, chosen
+from c2s_engine.solve.unknowns import LIMITS, STRAYS, chosen
 from c2s_engine.structure.components import Assumption, Component, Structure
 from c2s_engine.structure.edits import SetField, apply
 from c2s_engine.structure.requirements import Requirement, Result
@@ -63,7 +63,11 @@ def test_choices_touch_only_what_is_open_and_are_said(seed):
     before = {r.id: r for r in require(structure)}
     for unknown in unknowns(structure, usual):
         low, high = unknown.limits
-        assert LIMITS[unknown.path.rsplit(".", 1)[-1]] == (low, high)
+        least, most = LIMITS[unknown.path.rsplit(".", 1)[-1]]
+        assert least <= low <= high <= most
+        if unknown.usual:  # a speed does not stray from what is usual
+            assert low >= min(unknown.value, (1 - STRAYS) * unknown.usual) - 0.01
+            assert high <= max(unknown.value, (1 + STRAYS) * unknown.usual) + 0.01
         for factor in (0.6, 1.5):
             value = unknown.within(unknown.value * factor)
             assert low <= value <= high

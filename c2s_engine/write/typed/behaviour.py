@@ -85,6 +85,8 @@ def _steps(course: Course) -> list[Step]:
             done[-1] = (done[-1][0], condition)
             if phase.trigger and phase.trigger.delay is not None and phase.trigger.kind != "time":
                 done.append((done[-1][0][-1:], f"for {scope.quantity(phase.trigger.delay)} seconds"))
+            if phase.trigger and course.on_ramp and phase.action in ("cut_in", "lane_change"):
+                done.append((done[-1][0][-1:], "until self._lane is place.acceleration_lane"))
         course.behind = _overtaken_later(course, phases[i:])
         home, course.home = course.home, []
         done.extend(steps(course, phase))

@@ -48,9 +48,9 @@ def facing(structure: Structure, place: PlaceSpec) -> Structure:
         hit = any(p.action == "collide" for p in (*ego.phases, *spec.phases))
         passes = next((one for one in all_ if one.who == component.id), None)
         if passes is not None:
-            gap = _meeting(ego, speed, passes)
+            gap = _meeting(ego, speed, passes, hit)
         elif passed is not None:
-            gap = _meeting(ego, speed, passed) - passed.gap - LENGTH[spec.type]
+            gap = _meeting(ego, speed, passed, hit) - passed.gap - LENGTH[spec.type]
         elif own is not None and narrow and not hit:
             until = own.begins + MET
             if ego.reaction == "none" or own.phase.abandoned:
@@ -87,10 +87,12 @@ def _drives(spec: ObjectSpec, place: PlaceSpec) -> float:
     return middle(speed_of(spec, place))
 
 
-def _meeting(ego: EgoSpec, speed: float, one: Overtaking) -> float:
-    """How far off one is who overtakes another and meets ego when it is just back, or, where ego is to react to it,
-    while it is still abreast."""
-    until = one.back + SPARE["other"] if ego.reaction == "none" else one.abreast + ASIDE
+def _meeting(ego: EgoSpec, speed: float, one: Overtaking, hit: bool) -> float:
+    """How far off one is who overtakes another and meets ego when it is just back, by less where ego brakes for it, or,
+    where ego makes way or they touch, while it is still abreast."""
+    until = one.abreast + ASIDE
+    if ego.reaction == "none" or ego.reaction == "brake" and not hit:
+        until = one.back + (SPARE["other"] if ego.reaction == "none" else JUST)
     return speed * until + one.travelled(until)
 
 

@@ -4,6 +4,7 @@ Everybody keeps its speed until then; nothing is steered for it in the run. Leng
 """
 
 from dataclasses import dataclass
+from itertools import takewhile
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
@@ -81,7 +82,8 @@ def _at_pace(structure: Structure) -> Structure:
 def _pace_for_ego(structure: Structure, ego: EgoSpec) -> float | None:
     if any(p.action == "accelerate" for p in ego.phases[:1]):  # it comes to its speed
         return None
-    followed = {p.target for p in ego.phases if p.action == "follow"}
+    at_first = takewhile(lambda p: p.action in CALM and (p.trigger is None or p is ego.phases[0]), ego.phases)
+    followed = {p.target for p in at_first if p.action == "follow"}
     if ego.pace is not None:  # drawn as that one's speed is, it would now and then fall behind whom it follows
         drawn = [c.spec.speed for c in structure.objects if c.id in followed and isinstance(c.spec, ObjectSpec)]
         return high(drawn[0]) if drawn and drawn[0] is not None and ego.phases[0].action == "follow" else None

@@ -54,6 +54,8 @@ def stated(course: Course, phase: Phase) -> str:
         return _before_junction(course, value or 0, phase)
     if not watches(t) and t.kind == "distance":
         near = phase.model_copy(update={"trigger": None, "target": phase.target or t.of})
+        if value is None and course.actor.is_ego and t.of and _awaits(course.actor.structure, t.of, phase.action):
+            return f"until ttc(self, {course.actor.ref(t.of)}) < {scope.number(EVADED_AT)}"  # nothing forces it yet
         if value is None and (found := implicit(course, near, first=False)):  # as soon as it has to
             return found
         if phase.action == "cut_in" and course.value > course.target_speed(phase) + 0.3:  # once it is that far ahead

@@ -14,10 +14,11 @@ from c2s_engine.write.typed.usual import crosses, default_gap, speed_of, uses_cr
 
 @dataclass(frozen=True)
 class Usual:
-    """Starting speeds (m/s) of ego (`E`) and of the objects, their gaps (m), by how much (s) those come later who
-    are timed to meet it, the m to the junction, the s of a run."""
+    """Starting speeds (m/s) of ego (`E`) and of the objects, those of their kinds at such a place, their gaps (m), by
+    how much (s) those come later who are timed to meet it, the m to the junction, the s of a run."""
 
     speeds: dict[ComponentId, float] = field(default_factory=dict)
+    typical: dict[ComponentId, float] = field(default_factory=dict)
     gaps: dict[ComponentId, float] = field(default_factory=dict)
     later: dict[ComponentId, float] = field(default_factory=dict)
     distance: float | None = None
@@ -31,6 +32,9 @@ def usual_values(structure: Structure, room: float) -> Usual:
     ego = written.ego.spec
     assert isinstance(ego, EgoSpec)
     speeds, gaps, later = {"E": middle(speed_of(ego, plan.place))}, {}, {}
+    open_ = {"speed": None}
+    typical = {c.id: middle(speed_of(c.spec.model_copy(update=open_), plan.place))  # type: ignore[arg-type]
+               for c in (written.ego, *written.objects)}  # fmt: skip
     for component in written.objects:
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
@@ -43,4 +47,4 @@ def usual_values(structure: Structure, room: float) -> Usual:
             gap = spec.placement.gap
             gaps[component.id] = middle(gap) if gap is not None else default_gap(spec, plan.ego_speed, plan.place)
     distance = None if plan.distance is None else middle(plan.distance)
-    return Usual(speeds, gaps, later, distance, plan.duration)
+    return Usual(speeds, typical, gaps, later, distance, plan.duration)

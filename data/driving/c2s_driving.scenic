@@ -1195,10 +1195,11 @@ class From(object):
 
 def stretches(straight=False, two_way=True, crosswalk=None, **wanted):
     """Stretches of road, ego anywhere on them: `straight` ones; `two_way`: with the other direction beside them (else
-    one-way roads, too, ramps apart); with a `crosswalk` between their junctions, or without (False); without a stop sign
-    ahead where there are such. `wanted`: `length` (m, or as much of it as there is; `share`: but so much of it, up to
-    the next junction), `least` (m), `speed` (m/s that their bends allow, where there are such), and what `lane_fits`
-    and `limit` mean."""
+    one-way roads, too, ramps apart); with a `crosswalk` between their junctions, or without (False). `wanted`: `length`
+    (m, or as much of it as there is), `least` (m), `speed` (m/s), and what `lane_fits` and `limit` mean. Those are taken
+    whose bends allow the speed and that meet no stop sign, and of these the longest; others only where there are none
+    (`share`: not at all, nor less than that share of the length up to the next junction or, `across`, straight over
+    junctions)."""
     facts = map_facts()
     def fits(lane):
         along = (lane.centerline[-1] - lane.centerline[0]).norm()
@@ -1337,6 +1338,7 @@ def _along_roads(fits, length=0, least=0, limit=None, speed=0, share=0, across=F
         fast = [place for place in long if speed and is_free(long[place].lane, metres, speed, True, signs=False)]
         if long:
             best = _posted(_exactly(lanes.get('lanes'), fast or [*long]), limit)
+            best = [place for place in best if reach(long[place].lane, least, ahead=True) >= least] or best  # none starts in a junction
             return [place for place in best if unstopped(long[place].lane, length)] or best
     if lanes.get('lanes') == 1 and not share:  # no road that long has only one
         return _along_roads(fits, length, least, limit, speed, **{**lanes, 'lanes': None})

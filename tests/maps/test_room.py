@@ -15,7 +15,7 @@ pytestmark = [
 ]
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 async def engine():
     async with Engine(Settings(map_folders=(str(TOWNS),))) as started:
         yield started

@@ -96,7 +96,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         leads=lanes.leads(ego, objects, lane_of, speed, place),
         parked=any(o.placement.position == "parked" for o in objects.values()),
         also=alongside.other_ways(structure, place, lane_of),
-        across=room < 1.0,
+        across=room < rooms.SHORTEST,
     )
     return _with_room(structure, plan)
 

@@ -62,7 +62,8 @@ def _ending(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unkno
         assert late.time is not None and late.value is not None
         yield ((length, float(max(SHORTEST, round(late.time - late.value + AFTER)))),)
     first = min((r.time for q, r in failing if q.check in ALL_ALONG and r.time is not None), default=0.0)
-    if length is not None and first - BEFORE >= SHORTEST:  # what nobody said comes after what is said
+    shown = all(q.check in (*ALL_ALONG, "soon_over") for q, _ in failing)  # all else, so that this may come after it
+    if length is not None and shown and first - BEFORE >= SHORTEST:
         yield length.set_to(first - BEFORE)
 
 

@@ -33,7 +33,7 @@ def generate(
     standalone: Annotated[bool, typer.Option("--standalone", help="One file: with the driving library in it.")] = False,
     map_name: Annotated[str | None, typer.Option("--map", help="A map by name or .xodr path (see `c2s maps`).")] = None,
     strict: Annotated[
-        bool, typer.Option("--strict", help="Refuse a place that the map lacks; leave no field of it open.")
+        bool, typer.Option("--strict", help="Refuse a place that the map lacks or has no room for; change nothing.")
     ] = False,
     seed: Annotated[int, typer.Option(help="The seed of the sampled scene.")] = 0,
     runs: Annotated[int, typer.Option(min=1, max=50, help="Rollouts of the dry run.")] = 1,

@@ -112,8 +112,9 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         given = state.get("map") or (demanded(structure, tools.library) if strict else None)
         lenient = bool(state.get("text") or state.get("given")) and not strict
         structure, found, result = await steps.configure(
-            structure, tools, emit, given=given, needed=method.needs_place, lenient=lenient
-        )
+            structure, tools, emit, given=given, needed=method.needs_place, lenient=lenient,
+            strict=bool(strict),
+        )  # fmt: skip
         changed: list[str] = []
         if found.writer is None:
             structure = unwritten.left(before, structure, emit)

@@ -21,8 +21,10 @@ FIRST = (DEFAULT_MAP, "Town10HD", "Town04", "Town03", "Town07", "Town06")
 ROOMS = (1.0, 0.7, 0.45, 0.25)
 """How much of the way to a junction, or of a stretch of road, that a structure would take must be there: the best
 first."""
-ANY = len(ROOMS)
-"""`less` of a stretch of road that is shorter, or leads over junctions."""
+ENOUGH = ROOMS.index(0.45)
+"""The highest `less` of a stretch of road that has room for the speeds of a scene."""
+ANY = len(ROOMS) + 1
+"""`less` of a stretch of road that is shorter, leads past stop signs, or bends too much for the speeds."""
 
 
 @dataclass(frozen=True)
@@ -35,6 +37,11 @@ class Resolution:
     assumed: tuple[Assumption, ...] = ()
     diagnostic: Diagnostic | None = None
     less: int = 0
+
+
+def is_short(structure: Structure, found: Resolution) -> bool:
+    """Whether a map has no stretch of road with the room for the speeds of a structure."""
+    return found.writer is not None and found.less > ENOUGH and bool(found.writer.stretch(structure))
 
 
 def map_choice(library: MapLibrary, map_file: MapFile) -> MapChoice:
@@ -84,7 +91,7 @@ async def resolve(
     `offers`: whether a refusal names what would do.
     """
     if (error := contradiction(structure)) is not None:
-        return Resolution(None, diagnostic=_diagnostic(str(error), "contradiction", error.fields))
+        return Resolution(None, diagnostic=refusal(str(error), "contradiction", error.fields))
     named = named_map(structure)
     before = next((str(a.value) for a in structure.settings.assumed if a.field == "map"), None)
     beyond = (*((before,) if before in library.names() else ()), *at_hand(library, default))
@@ -97,7 +104,7 @@ async def resolve(
             found = await on_map(structure, library, check, wanted, min(under, best.less))
         except (MapNotFound, BrokenMap) as error:
             if wanted == given:
-                return Resolution(None, diagnostic=_diagnostic(str(error), "unknown-map", ("G.map",)))
+                return Resolution(None, diagnostic=refusal(str(error), "unknown-map", ("G.map",)))
             if wanted == named:
                 lacking = f"{named} is not on this machine" if isinstance(error, MapNotFound) else str(error)
             continue
@@ -121,13 +128,13 @@ async def resolve(
         return _not_looked_up(failed)
     nearest = await _offers(structure, library, check, given) if offers else ""
     lack = f"{given} has no such place" if given else "no map at hand has such a place"
-    return Resolution(None, diagnostic=_diagnostic(f"{lack}. {nearest}", "no-place", ("R",)))
+    return Resolution(None, diagnostic=refusal(f"{lack}. {nearest}", "no-place", ("R",)))
 
 
 def _not_looked_up(error: CheckError) -> Resolution:
     """The refusal where maps cannot be searched at all, which says nothing of what is on them."""
     lookup = f"the place cannot be looked up: {error}"
-    return Resolution(None, diagnostic=_diagnostic(lookup, "lookup", ("R",)))
+    return Resolution(None, diagnostic=refusal(lookup, "lookup", ("R",)))
 
 
 def _looked_up(names: Sequence[str], wished: Sequence[str | None]) -> Iterator[tuple[str, int]]:
@@ -184,7 +191,10 @@ def _ways_to_fit(structure: Structure, writers: Sequence[TypedWriter]) -> Iterat
     for less, writer in enumerate(writers):
         if not length:
             yield writer.candidates(structure), writer, less
-        elif writer.room * length <= longest:
+            continue
+        if less == ENOUGH + 1:
+            yield first.candidates(structure, share=ROOMS[ENOUGH], across=True), first, ENOUGH
+        if writer.room * length <= longest:
             yield first.candidates(structure, share=writer.room), first, less
     if length:
         yield first.candidates(structure), first, ANY
@@ -231,7 +241,7 @@ async def _offers(structure: Structure, library: MapLibrary, check: CheckClient,
         ways.append(await _lacking(plain, library, check, choice, tuple(single)))
     others = await having(structure, library, check, (n for n in at_hand(library, None) if n != name))
     if others:
-        ways.append(f"{_listed(others)} {'has' if len(others) == 1 else 'have'} it")
+        ways.append(f"{listed(others)} {'has' if len(others) == 1 else 'have'} it")
     return "; ".join(way for way in ways if way) + "." if any(ways) else "Change R.kind, or name another map."
 
 
@@ -247,7 +257,7 @@ async def _lacking(
     `plain`: the structure with nothing of R said but its kind.
     """
     if fields and (found := await _quietly(plain, library, check, choice.name)) is not None:
-        together = _listed([f"R.{field}" for field in fields])
+        together = listed([f"R.{field}" for field in fields])
         return f"{together} left open together give {_places(found.count)} on {choice.name}"
     try:
         return f"It has no {TypedWriter(choice, room=ROOMS[-1]).candidates(plain)}, whatever else of R is left open"
@@ -255,7 +265,7 @@ async def _lacking(
         return ""
 
 
-def _listed(names: Sequence[str]) -> str:
+def listed(names: Sequence[str]) -> str:
     return f"{', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else names[0]
 
 
@@ -270,6 +280,12 @@ async def having(
     return tuple([name for name in names if await _quietly(structure, library, check, name) is not None])
 
 
+async def with_room(structure: Structure, library: MapLibrary, check: CheckClient, given: str) -> tuple[str, ...]:
+    """Those maps other than the given one that have the room for the speeds of a structure."""
+    found = {name: await _quietly(structure, library, check, name) for name in at_hand(library, None) if name != given}
+    return tuple(name for name, there in found.items() if there is not None and not is_short(structure, there))
+
+
 async def _quietly(structure: Structure, library: MapLibrary, check: CheckClient, name: str) -> Resolution | None:
     try:
         return await on_map(structure, library, check, name)
@@ -277,6 +293,6 @@ async def _quietly(structure: Structure, library: MapLibrary, check: CheckClient
         return None
 
 
-def _diagnostic(message: str, code: str, fields: tuple[str, ...]) -> Diagnostic:
+def refusal(message: str, code: str, fields: tuple[str, ...]) -> Diagnostic:
     component = fields[0].split(".")[0] if fields else None
     return Diagnostic(stage="resolve", message=message, code=code, component=component, text=", ".join(fields))

@@ -1,17 +1,30 @@
 """A text that asks for more than maps or specs can give is not refused: as few of R's fields as it takes are left open,
 else lane changes go by the oncoming lane of a road with one each way, and who is in a lane that no such place has comes
-into ego's.
+into ego's. Where roads then lack the room for the speeds, the fewest of these are lowered.
 
 Only for what was read from a text; an edit that contradicts the rest is refused, with the fields named.
 """
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import combinations
 
 from c2s_engine.check.client import CheckClient, CheckError
 from c2s_engine.maps.library import MapLibrary, MapNotFound
 from c2s_engine.maps.opendrive import BrokenMap
-from c2s_engine.session.places import Resolution, at_hand, demanded, first_on_map, resolve
+from c2s_engine.session.places import (
+    ENOUGH,
+    Resolution,
+    at_hand,
+    demanded,
+    first_on_map,
+    is_short,
+    listed,
+    refusal,
+    resolve,
+    with_room,
+)
+from c2s_engine.solve.fitting import slower
 from c2s_engine.structure.components import Assumption, Structure, Unmet
 from c2s_engine.structure.specs import ObjectSpec, Placement
 
@@ -30,7 +43,8 @@ BESIDE = ("left_lane", "right_lane", "beside")
 async def settle(
     structure: Structure, library: MapLibrary, check: CheckClient, *, given: str | None, default: str | None
 ) -> tuple[Structure, Resolution]:
-    """The structure with as few of R's fields left open as it takes to resolve, each named in R's `assumed`.
+    """The structure with as few of R's fields left open as it takes to resolve, and as few speeds lowered as it takes
+    to have the room, each named in `assumed`.
 
     A map that the text names counts as one that is given, as long as it is at hand and has anything near.
     """
@@ -39,8 +53,21 @@ async def settle(
         relaxed, found = await settle(structure, library, check, given=named, default=default)
         if found.writer is not None:
             return relaxed, found
-        return await _settle(structure, library, check, given=None, default=default)
-    return await _settle(structure, library, check, given=given, default=default)
+    settled, found = await _settle(structure, library, check, given=given, default=default)
+    return await _fitted(settled, found, library, check) if is_short(settled, found) else (settled, found)
+
+
+async def strictly(
+    structure: Structure, library: MapLibrary, check: CheckClient, *, given: str | None, default: str | None
+) -> tuple[Structure, Resolution]:
+    """The structure as it is, refused where a map that is given lacks the place or the room for its speeds."""
+    found = await resolve(structure, library, check, given=given, default=default)
+    if given is None or not is_short(structure, found):
+        return structure, found
+    others = await with_room(structure, library, check, given)
+    there = f"{listed(others)} {'has' if len(others) == 1 else 'have'} the room" if others else "lower them"
+    lack = f"{given} has no such road without stop signs that is long and straight enough for the speeds; {there}."
+    return structure, Resolution(None, diagnostic=refusal(lack, "no-room", ("R",)))
 
 
 async def _settle(
@@ -59,6 +86,20 @@ async def _settle(
     if nearest is None:
         return structure, await resolve(structure, library, check, given=given, default=default)
     return nearest, await resolve(nearest, library, check, given=given, default=default, offers=False)
+
+
+async def _fitted(
+    structure: Structure, found: Resolution, library: MapLibrary, check: CheckClient
+) -> tuple[Structure, Resolution]:
+    """The structure with the fewest of its speeds lowered with which a map's roads have the room; itself if none do."""
+    assert found.writer is not None
+    name = found.writer.map.name
+    variants = slower(structure, name)
+    fitting = await first_on_map(variants, library, check, name, ENOUGH + 1)
+    if fitting is None:
+        return structure, found
+    number, there = fitting
+    return variants[number], replace(there, assumed=found.assumed)
 
 
 async def _nearest(

@@ -11,7 +11,7 @@ from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits, Upto
 from c2s_engine.config import Settings
 from c2s_engine.maps.library import SHIPPED, MapLibrary
 from c2s_engine.session.places import Resolution, map_choice, resolve
-from c2s_engine.session.settle import settle
+from c2s_engine.session.settle import settle, strictly
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.edits import Edit, EditError, apply
@@ -44,17 +44,19 @@ def timed(name: Any, started: float, diagnostics: tuple[Diagnostic, ...] = ()) -
 
 
 async def configure(
-    structure: Structure, tools: Tools, emit: Emit, *, given: str | None, needed: bool = True, lenient: bool = False
+    structure: Structure, tools: Tools, emit: Emit, *, given: str | None, needed: bool = True, lenient: bool = False,
+    strict: bool = False,
 ) -> tuple[Structure, Resolution, StageResult]:
     """Choose the map and resolve the place on it; what was chosen for want of words goes to G's `assumed`.
 
-    `lenient`: S was read from a text, so that fields of R which cannot be had are left open rather than refused.
+    `lenient`: S was read from a text, so that fields of R which cannot be had are left open rather than refused, and
+    speeds lowered for which roads have no room; `strict`: both are refused.
     Methods that do not render specs need no place (`needed`): for them a map is enough.
     """
     emit(StageStarted(stage="resolve"))
     started = time.perf_counter()
     try:
-        look = settle if lenient else _as_it_is
+        look = settle if lenient else strictly if strict else _as_it_is
         structure, found = await look(structure, tools.library, tools.check, given=given, default=tools.settings.map)
     except CheckError as error:
         found = Resolution(None, diagnostic=Diagnostic(stage="resolve", message=str(error), code="check-server"))

@@ -19,6 +19,12 @@ from c2s_engine.write.typed.usual_values import Usual
 
 AFTER = 3.0
 """s for which a run goes on after the last of what is said."""
+SHORTEST = 4.0
+"""s that a run takes at least."""
+ALL_ALONG = ("unseen", "own_side", "stands_for", "at_line", "dynamics", "steady", "smooth", "no_other_contact")
+"""Checks of what is not to happen at any time of the run."""
+BEFORE = 0.5
+"""s before such a thing at which a run ends."""
 SHARES = (1.0, 0.5, 0.25)
 """Of what the run says one is too early or late."""
 ROOM = 0.4
@@ -54,7 +60,11 @@ def _ending(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unkno
     length = find(open_, "T", "duration")
     if late is not None and length is not None:
         assert late.time is not None and late.value is not None
-        yield ((length, float(max(4.0, round(late.time - late.value + AFTER)))),)
+        yield ((length, float(max(SHORTEST, round(late.time - late.value + AFTER)))),)
+    first = min((r.time for q, r in failing if q.check in ALL_ALONG and r.time is not None), default=0.0)
+    shown = all(q.check in (*ALL_ALONG, "soon_over") for q, _ in failing)  # all else, so that this may come after it
+    if length is not None and shown and first - BEFORE >= SHORTEST:
+        yield length.set_to(first - BEFORE)
 
 
 def _exact(structure: Structure, requirement: Requirement, result: Result, open_: Sequence[Unknown],

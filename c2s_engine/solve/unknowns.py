@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Iterator, Sequence
 from dataclasses import dataclass
 
-from c2s_engine.structure.components import Assumption, Component, ComponentId, Structure
+from c2s_engine.structure.components import FITTED, Assumption, Component, ComponentId, Structure
 from c2s_engine.structure.edits import EditError, SetField, apply
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import Quantity, in_words, middle
@@ -107,7 +107,8 @@ def _is_timed(structure: Structure, unknown: Unknown) -> bool:
     return trigger is not None and trigger.kind == "time"
 
 
-def chosen(structure: Structure, unknown: Unknown, value: Quantity, reason: str = REASON) -> Structure:
+def chosen(structure: Structure, unknown: Unknown, value: Quantity, reason: str = REASON,
+           by: str = PLANNER) -> Structure:  # fmt: skip
     """S with a value or a range for an unknown, said in `assumed`; S as it is where the field cannot take it."""
     kept = structure[unknown.component].assumed
     field = unknown.path
@@ -116,7 +117,7 @@ def chosen(structure: Structure, unknown: Unknown, value: Quantity, reason: str 
         changed = apply(structure, SetField(component=unknown.component, path=field, value=setting))
     except EditError:
         return structure
-    note = Assumption(field=field, value=in_words(field, value), reason=reason, by=PLANNER)
+    note = Assumption(field=field, value=in_words(field, value), reason=reason, by=by)
     others = tuple(a for a in kept if a.field != field)
     changed = changed.with_component(changed[unknown.component].model_copy(update={"assumed": (*others, note)}))
     return retold(structure, changed)
@@ -124,7 +125,7 @@ def chosen(structure: Structure, unknown: Unknown, value: Quantity, reason: str 
 
 def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator[Unknown]:
     spec, cid = component.spec, component.id
-    assumed = {a.field for a in component.assumed}
+    assumed = {a.field for a in component.assumed if a.by != FITTED}
 
     def is_open(path: str, value: object) -> bool:
         return value is None or path in assumed or (cid, path) in freed

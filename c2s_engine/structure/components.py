@@ -35,13 +35,17 @@ class Link(Frozen):
     field: str = Field("", description="the field of the component's spec that the words became, where that is known")
 
 
+FITTED = "place"
+"""By whom a value is assumed that was said and does not fit the place: the new one counts as said."""
+
+
 class Assumption(Frozen):
     """What the text left open, and the value that was chosen."""
 
     field: str
     value: str
     reason: str
-    by: str = Field("", description="`writer` where the writer decided; else whoever read the text")
+    by: str = Field("", description="`writer`, `planner`, `place` where these decided; else whoever read the text")
     amount: Quantity | None = Field(None, description="the value as a number, SI units, where it is not in the spec")
 
     @property

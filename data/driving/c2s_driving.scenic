@@ -1196,10 +1196,11 @@ class From(object):
 
 def stretches(straight=False, two_way=True, crosswalk=None, **wanted):
     """Stretches of road, ego anywhere on them: `straight` ones; `two_way`: with the other direction beside them (else
-    one-way roads, too, ramps apart); with a `crosswalk` between their junctions, or without (False); without a stop sign
-    ahead where there are such. `wanted`: `length` (m, or as much of it as there is; `share`: but so much of it, up to
-    the next junction), `least` (m), `speed` (m/s that their bends allow, where there are such), and what `lane_fits`
-    and `limit` mean."""
+    one-way roads, too, ramps apart); with a `crosswalk` between their junctions, or without (False). `wanted`: `length`
+    (m, or as much of it as there is), `least` (m), `speed` (m/s), and what `lane_fits` and `limit` mean. Those are taken
+    whose bends allow the speed and that meet no stop sign, and of these the longest; others only where there are none
+    (`share`: not at all, nor less than that share of the length up to the next junction or, `across`, straight over
+    junctions)."""
     facts = map_facts()
     def fits(lane):
         along = (lane.centerline[-1] - lane.centerline[0]).norm()
@@ -1322,32 +1323,58 @@ def lane_fits(lane, section, lanes=None, ego_lane=None, oncoming=None, shoulder=
     return (fits and place[ego_lane] and (oncoming is None or oncoming == adjoins())
             and shoulder in (None, bool(group._shoulder)) and sidewalk in (None, bool(group._sidewalk)))
 
-def _along_roads(fits, length=0, least=0, limit=None, speed=0, share=0, **lanes):
+def _along_roads(fits, length=0, least=0, limit=None, speed=0, share=0, across=False, **lanes):
     if lanes.get('shoulder') == 'preferred':
         return next((found for shoulder in (True, None)
-                     for found in [_along_roads(fits, length, least, limit, speed, share, **{**lanes, 'shoulder': shoulder})]
+                     for found in [_along_roads(fits, length, least, limit, speed, share, across, **{**lanes, 'shoulder': shoulder})]
                      if found), [])
     found = [Place(lane) for road in network.roads for lane in road.lanes
              if lane_fits(lane, lane.sections[0], **lanes) and fits(lane)]
-    for part, over in [(part, over) for part, over in SHARES if part >= share and not (share and over == JUNCTIONS)]:
+    ways = [(part, over) for part, over in SHARES if part >= share and (across or not share or over != JUNCTIONS)]
+    for free, part, over in [(True, *way) for way in ways] + [(False, *way) for way in ways if not share]:
         metres = max(part * length, least)
-        long = {_longer(place, metres, over, lanes, ahead=True): place for place in found}
+        starts = [place for place in found if not free or is_free(place.lane, metres, speed, over == JUNCTIONS)]
+        long = {_longer(place, metres, over, lanes, ahead=True): place for place in starts}
         long = {place: start for place, start in long.items() if place and (over is None or fits(place.lane))}
-        fast = [place for place in long if speed and bends_allow(place.lane, speed, metres)]
-        if fast or long and not (speed and share):
+        fast = [place for place in long if speed and is_free(long[place].lane, metres, speed, True, signs=False)]
+        if long:
             best = _posted(_exactly(lanes.get('lanes'), fast or [*long]), limit)
+            best = [place for place in best if reach(long[place].lane, least, ahead=True) >= least] or best  # none starts in a junction
             return [place for place in best if unstopped(long[place].lane, length)] or best
     if lanes.get('lanes') == 1 and not share:  # no road that long has only one
         return _along_roads(fits, length, least, limit, speed, **{**lanes, 'lanes': None})
     return []
 
-def bends_allow(lane, speed, metres):
-    """Whether `Drive` keeps its speed (m/s) in the bends of the first metres of a lane."""
-    points = numpy.array(lane.centerline.lineString.coords)[:, :2]
-    way = numpy.insert(numpy.cumsum(numpy.hypot(*numpy.diff(points, axis=0).T)), 0, 0)
-    x, y = [numpy.interp(numpy.arange(0, min(metres, way[-1]), 4), way, points[:, k]) for k in (0, 1)]
-    turns = numpy.diff(numpy.unwrap(numpy.arctan2(numpy.diff(y), numpy.diff(x))))
-    return not len(turns) or numpy.abs(turns).max() / 4 * speed ** 2 <= 4
+KEPT = {}
+def kept(lane, speed):
+    """How far (m) along a lane `Drive` keeps its speed (m/s) in the bends."""
+    if (lane, speed) not in KEPT:
+        points = numpy.array(lane.centerline.lineString.coords)[:, :2]
+        way = numpy.insert(numpy.cumsum(numpy.hypot(*numpy.diff(points, axis=0).T)), 0, 0)
+        x, y = [numpy.interp(numpy.arange(0, way[-1], 4), way, points[:, k]) for k in (0, 1)]
+        turns = numpy.diff(numpy.unwrap(numpy.arctan2(numpy.diff(y), numpy.diff(x))))
+        tight = numpy.flatnonzero(numpy.abs(turns) / 4 * speed ** 2 > 4)
+        KEPT[lane, speed] = 4 * tight[0] if len(tight) else math.inf
+    return KEPT[lane, speed]
+
+def is_free(lane, metres, speed, junctions, signs=True):
+    """Whether the bends of the first metres of a lane, and of those that it leads to, allow a speed (m/s; 0: whatever
+    they are), and no stop sign stands before their junctions."""
+    gone, passed = 0, []
+    while lane not in passed:
+        passed, step = [*passed, lane], onward(lane, junctions)
+        for each in [lane, *([step.connectingLane] if step and step.connectingLane else [])]:
+            if speed and gone + kept(each, speed) < metres:
+                return False
+            gone += each.centerline.length
+            if gone >= metres:
+                return True
+            if signs and each is lane and step and step.intersection and map_facts().sign(lane, step.intersection) == 'stop':
+                return False
+        if not step:
+            break
+        lane = step.endLane
+    return not signs
 
 BEYOND = 100  # m behind a junction in which there is no stop sign, where there is such a place
 
@@ -1362,20 +1389,31 @@ def unstopped(lane, metres):
         lane = step and step.endLane
     return True
 
+def leads_freely(lane, metres):
+    """Whether no stop sign stands before the junctions over which the last `metres` of the way to a lane's end go."""
+    gone = lane.centerline.length
+    while gone < metres:
+        step = leading_to(lane, True)
+        if not step or step.intersection and map_facts().sign(step.startLane, step.intersection) == 'stop':
+            return False
+        lane, gone = step.startLane, gone + sum(each.centerline.length for each in (step.connectingLane, step.startLane) if each)
+    return True
+
 SHARES = [(1, None), (1, ROADS), (0.7, None), (0.7, ROADS), (0.45, None), (0.45, ROADS), (1, JUNCTIONS),
-          (0.7, JUNCTIONS), (0.25, None), (0.25, ROADS), (0.45, JUNCTIONS), (0.25, JUNCTIONS)]
+          (0.7, JUNCTIONS), (0.45, JUNCTIONS), (0.25, None), (0.25, ROADS), (0.25, JUNCTIONS)]
 
 def _at_junctions(places, approach, exit, limit, lanes, others=(), roundabout=False, across=False):
     fitting = [place for place in places if lane_fits(place.lane, place.lane.sections[-1], **lanes)]
     for over in (None, ROADS, JUNCTIONS) if across else (None, ROADS):
-        found = []
-        for place in [_longer(place, approach, over, lanes, exit=exit) for place in fitting]:
+        found, free = [], set()
+        for start, place in [(place, _longer(place, approach, over, lanes, exit=exit)) for place in fitting]:
             reached = [(other, other.lane_to(place.turn, roundabout)) for other in others] if place else []
             if place and all(lane for _, lane in reached):
                 found.append(Place(place.lane, place.turn, place.mark, place.merging, place.beside, reached,
                                    place.longer, place.exit))
+                free |= {found[-1]} if over != JUNCTIONS or leads_freely(start.lane, approach) else set()
         if found:
-            best = _posted(_exactly(lanes.get('lanes'), found), limit)
+            best = _posted(_exactly(lanes.get('lanes'), [place for place in found if place in free] or found), limit)
             return [place for place in best if unstopped(place.turn.endLane, BEYOND)] or best
     return []
 

@@ -251,3 +251,18 @@ def test_all_exact_corrections_are_made_at_once_then_one_by_one_and_by_half():
     for cid, value in (("O1", -2.0), ("O1", -1.0), ("O2", 0.5)):
         assert {(cid, "placement.later"): value} in found
     assert all(path != "placement.arrives" for move in found for _, path in move)
+
+
+@pytest.mark.parametrize(
+    ("checks", "time", "ends"),
+    [(("unseen",), 9.2, 8.7), (("unseen",), 3.0, None), (("contact",), 9.2, None), (("unseen", "contact"), 9.2, None)],
+)
+def test_the_run_ends_before_what_is_not_to_happen_in_it(checks, time, ends):
+    structure = lead(speed=14.0, placement=Placement(gap=30.0))
+    usual = usual_values(structure, 1.0)
+    rule = Requirement(id="E.rule", kind="rules", component="E", text="Ego stops at its sign.", check="unseen")
+    missed = Result(requirement="E.rule", holds=False, robustness=-1.0, time=time)
+    failing = [(rule.model_copy(update={"check": check}), missed) for check in checks]
+    lengths = {value for move in moves(structure, failing, unknowns(structure, usual), usual)
+               for unknown, value in move if unknown.path == "duration"}  # fmt: skip
+    assert lengths == ({ends} if ends else set())

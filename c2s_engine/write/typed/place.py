@@ -34,10 +34,11 @@ def write_place(plan: Plan) -> str:
     return "\n".join(lines)
 
 
-def call(plan: Plan, share: float = 0.0) -> Call:
+def call(plan: Plan, share: float = 0.0, across: bool = False) -> Call:
     """The call that lists the places from which one is drawn: how many there are on a map can be counted by it.
 
-    `share`: only stretches with so much of the room that is wanted, up to the next junction.
+    `share`: only stretches with so much of the room that is wanted, up to the next junction or (`across`) straight over
+    junctions.
     """
     spec = plan.place.model_copy(update={"kind": "on_ramp"}) if plan.ramp else plan.place
     short = spec.kind != "roundabout" and plan.exit_room < 25  # every junction has that much behind it
@@ -59,7 +60,7 @@ def call(plan: Plan, share: float = 0.0) -> Call:
     if spec.kind in STRETCHES:
         more |= {"speed": number(math.ceil(plan.fastest / STEP) * STEP)} if plan.fastest > SLOW else {}
         more |= {"share": str(share)} if share else {}
-    if plan.across and spec.kind in JUNCTION | RAMP:
+    if across or plan.across and spec.kind in JUNCTION | RAMP:
         more["across"] = "True"
     return place_call(
         spec,

@@ -76,10 +76,11 @@ class TypedWriter:
         """S with what the writer chose for it or changed in it among what is assumed."""
         return with_decisions(structure, self.room)
 
-    def candidates(self, structure: Structure, share: float = 0.0) -> str:
+    def candidates(self, structure: Structure, share: float = 0.0, across: bool = False) -> str:
         """The list from which the program draws its place; how long it is says how many places there are. `share`: of
-        stretches of road only those with so much of the room that is wanted, up to the next junction."""
-        return str(call(make_plan(spread(structure), self.room), share))
+        stretches of road only those with so much of the room that is wanted, up to the next junction or (`across`)
+        straight over junctions."""
+        return str(call(make_plan(spread(structure), self.room), share, across))
 
     def stretch(self, structure: Structure) -> float:
         """How much road (m) the structure takes where nothing but road is asked for; 0 at junctions and the like."""

@@ -21,8 +21,8 @@ AFTER = 3.0
 """s for which a run goes on after the last of what is said."""
 SHORTEST = 4.0
 """s that a run takes at least."""
-ALL_ALONG = ("unseen", "own_side", "stands_for", "at_line", "dynamics", "steady", "smooth", "no_other_contact")
-"""Checks of what is not to happen at any time of the run."""
+ALL_ALONG = ("unseen", "own_side", "stands_for", "at_line")
+"""Checks of what comes of a road that goes on differently than S needs: stops at later signs and the like."""
 BEFORE = 0.5
 """s before such a thing at which a run ends."""
 SHARES = (1.0, 0.5, 0.25)

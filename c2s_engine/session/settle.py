@@ -1,6 +1,7 @@
-"""A text that asks for more than maps or specs can give is not refused: as few of R's fields as it takes are left open,
-else lane changes go by the oncoming lane of a road with one each way, and who is in a lane that no such place has comes
-into ego's. Where roads then lack the room for the speeds, the fewest of these are lowered.
+"""A text that asks for more than maps or specs can give is not refused: a gap by which one starts inside another is
+left open, and as few of R's fields as it takes, else lane changes go by the oncoming lane of a road with one each way, and
+who is in a lane that no such place has comes into ego's. Where roads then lack the room for the speeds, the fewest of
+these are lowered.
 
 Only for what was read from a text; an edit that contradicts the rest is refused, with the fields named.
 """
@@ -26,6 +27,7 @@ from c2s_engine.session.places import (
 )
 from c2s_engine.solve.fitting import slower
 from c2s_engine.structure.components import Assumption, Structure, Unmet
+from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Placement
 
 ORDER = (
@@ -82,7 +84,8 @@ async def _settle(
         return structure, found
     why = f"{given} has no such place" if given and found.diagnostic.code == "no-place" else found.diagnostic.message
     anywhere = found.diagnostic.code == "contradiction" or given is None
-    nearest = await _nearest(list(_relaxed(structure, why, anywhere)), library, check, given, default)
+    relaxed = _relaxed(_gap_open(structure, found.diagnostic.text.split(", "), why), why, anywhere)
+    nearest = await _nearest(list(relaxed), library, check, given, default)
     if nearest is None:
         return structure, await resolve(structure, library, check, given=given, default=default)
     return nearest, await resolve(nearest, library, check, given=given, default=default, offers=False)
@@ -130,6 +133,20 @@ def _relaxed(structure: Structure, why: str, anywhere: bool) -> Iterator[Structu
             subsets = [subset for size in range(1, min(len(fields), 3) + 1) for subset in combinations(fields, size)]
             subsets += [tuple(fields[:n]) for n in range(4, len(fields) + 1)]
             yield from (_without(narrow, subset, why) for subset in subsets)
+
+
+def _gap_open(structure: Structure, fields: list[str], why: str) -> Structure:
+    """The structure with the first gap left open of the fields that contradict each other: it says where somebody
+    starts who would be inside another."""
+    cid = next((f.partition(".")[0] for f in fields if f.endswith(".placement.gap")), "")
+    spec = structure[cid].spec if cid in structure else None
+    if not isinstance(spec, ObjectSpec) or spec.placement.gap is None:
+        return structure
+    component, was = structure[cid], f"{middle(spec.placement.gap):g} m"
+    placement = spec.placement.model_copy(update={"gap": None})
+    note = _instead("placement.gap", "left open", was, why)
+    update = {"spec": spec.model_copy(update={"placement": placement}), "assumed": (*component.assumed, note)}
+    return structure.with_component(component.model_copy(update=update))
 
 
 def _one_lane(structure: Structure, why: str) -> Structure:

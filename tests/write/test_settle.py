@@ -51,3 +51,15 @@ async def test_who_is_in_a_lane_that_is_nowhere_comes_into_egos(engine):
     assert found.writer is not None
     assert settled["O1"].spec.placement.position == "ahead"
     assert [u.text for u in settled["O1"].unmet] == ["truck: left lane"]
+
+
+async def test_a_gap_by_which_one_starts_inside_another_is_left_open(engine):
+    one, two = (ObjectSpec(name=f"car_{gap}", placement=Placement(position="ahead", gap=gap)) for gap in (30, 31))
+    structure = asks(PlaceSpec(kind="road")).model_copy(
+        update={"objects": (Component(id="O1", spec=one), Component(id="O2", spec=two))}
+    )
+    settled, found = await settle(structure, engine.library, engine.check_client, given=None, default=None)
+    assert found.writer is not None
+    (note,) = settled["O2"].assumed
+    assert note.field == "placement.gap" and "31 m" in note.reason and "inside" in note.reason
+    assert settled["O1"] == structure["O1"]

@@ -1,7 +1,7 @@
 """A text that asks for more than maps or specs can give is not refused: a gap by which one starts inside another is
-left open, and as few of R's fields as it takes, else lane changes go by the oncoming lane of a road with one each way, and
-who is in a lane that no such place has comes into ego's. Where roads then lack the room for the speeds, the fewest of
-these are lowered.
+left open, as few of R's fields as it takes are, else lane changes go by the oncoming lane of a road with one each way,
+and who is in a lane that no such place has comes into ego's. Where roads then lack the room for the speeds, the fewest
+of these are lowered.
 
 Only for what was read from a text; an edit that contradicts the rest is refused, with the fields named.
 """

@@ -134,7 +134,7 @@ def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator
         speed = usual.speeds.get(cid, 0.0)
         follows = bool(spec.phases) and spec.phases[0].action == "follow"  # as fast as whom it follows
         if speed > 0 and spec.pace is None and is_open("speed", spec.speed) and not follows:
-            yield Unknown(cid, "speed", speed, usual.typical.get(cid))
+            yield Unknown(cid, "speed", speed, None if (cid, "speed") in freed else usual.typical.get(cid))
         for i, phase in enumerate(spec.phases):
             by_place = isinstance(spec, ObjectSpec) and spec.placement.position in APPROACH_ANGLE
             late = phase.action == "brake" and any(p.action == "collide" for p in spec.phases[i + 1 : i + 2])

@@ -5,11 +5,12 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.alongside import beside_ego
 from c2s_engine.write.typed.facing import facing
 from c2s_engine.write.typed.hiding import standing
+from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.passing import passing
 from c2s_engine.write.typed.pockets import own_ways
 from c2s_engine.write.typed.sequence import in_sequence
 from c2s_engine.write.typed.slowing import slowing
-from c2s_engine.write.typed.tables import OBSTRUCTING, TURN, is_static, is_vehicle, is_walker
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, OBSTRUCTING, TURN, is_static, is_vehicle, is_walker
 from c2s_engine.write.typed.threats import IN_WAY, passed_over
 from c2s_engine.write.typed.usual import crosses, uses_crosswalk
 from c2s_engine.write.typed.waiting import together
@@ -41,11 +42,20 @@ def normal(structure: Structure) -> Structure:
             place = place.model_copy(update={"oncoming": place.oncoming is not False or None})
         elif _leaves_side_road(spec, place, turn):
             found = spec.model_copy(update={"phases": _with_turn(spec.phases)})
+        if spec.placement.position in APPROACH_ANGLE and spec.phases and spec.phases[0].action in STANDS:
+            found = found.model_copy(update={"phases": tuple(map(_in_time, found.phases))})
         if found is not spec:
             structure = structure.with_spec(component.id, found)
     if place is not structure.place.spec:
         structure = structure.with_spec("R", place)
     return facing(passing(standing(structure), place), place)
+
+
+def _in_time(phase: Phase) -> Phase:
+    """What one who stands at its line does as ego is near, nobody says how near: it follows from when they meet."""
+    t = phase.trigger
+    open_ = t is not None and t.kind in ("distance", "ttc") and t.value is None and t.subject is None
+    return phase.model_copy(update={"trigger": None}) if open_ and t.of in (None, "ego") else phase  # type: ignore
 
 
 def _for_whom(phase: Phase, ego: EgoSpec, structure: Structure) -> Phase:

@@ -124,10 +124,12 @@ def sets_out(structure: Structure, cid: str, plan: Plan, lane: str, line: str) -
     speed = f"{prefix}_SPEED" if own > 0 else scope.number(SETS_OUT)
     touch = hits_ego(spec) or is_hit(structure.ego.spec, cid)  # type: ignore[arg-type]
     parts = _parts(contact(structure, cid)) + _too_late(structure, cid) if touch else ""
+    later = round(middle(spec.placement.later or 0.0), 2)
+    moved = f" {'-' if later > 0 else '+'} EGO_SPEED * {scope.number(abs(later))}" if later else ""
     return [
         f"{prefix}_SETS_OUT = setting_out_to_meet(",
         f"    {lane}, {line}, {scope.number(1 + LENGTH[spec.type] / 2)}, {speed},",
-        f"    place.lane, {way_of_ego(plan)}, EGO_SPEED{parts})"
+        f"    place.lane, {way_of_ego(plan)}, EGO_SPEED{parts}){moved}"
         "  # m from ego to the junction",
     ]
 

@@ -55,7 +55,7 @@ def call(plan: Plan, share: float = 0.0, across: bool = False) -> Call:
         more["shoulder"] = "'preferred'"
     if plan.also and spec.kind == "intersection":
         more["also"] = f"[{', '.join(plan.also)}]"
-    if plan.single or spec.kind == "roundabout" and spec.lanes == 1:
+    if plan.single:
         more["lanes"] = "1"
     if spec.kind in STRETCHES:
         more |= {"speed": number(math.ceil(plan.fastest / STEP) * STEP)} if plan.fastest > SLOW else {}
@@ -77,7 +77,8 @@ def _ordinary(plan: Plan) -> bool:
     """Whether nothing asks for more lanes than roads usually have."""
     spec = plan.place
     beside = {None, "leftmost"} if spec.oncoming else {None}
-    return spec.lanes is None and spec.ego_lane in beside and not plan.pockets and spec.kind not in {"motorway", *RAMP}
+    few = spec.lanes in (None, 1) and spec.ego_lane in beside
+    return few and not plan.pockets and spec.kind not in {"motorway", *RAMP}
 
 
 def _suits(plan: Plan) -> str:

@@ -14,7 +14,7 @@ from c2s_engine.write.typed import room as rooms
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.pockets import pocketed
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, RAMP, TURN
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, JUNCTION, RAMP, TURN
 from c2s_engine.write.typed.threats import hits_ego, is_hit
 from c2s_engine.write.typed.usual import lets_ego_come, speed_of, turn_of, uses_crosswalk
 
@@ -88,7 +88,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         stops=tuple(sorted({o.placement.position for o in objects.values() if _runs_stop(o)} & APPROACH_ANGLE.keys())),
         priority=_priority_roads(place, objects),
         oncoming=oncoming,
-        single=two_way and offsets == {0} and getattr(structure.place.spec, "lanes", None) in (None, 1),
+        single=_single(structure.place.spec, place, two_way) and offsets == {0},  # type: ignore[arg-type]
         ramp=ramp,
         exit_room=rooms.behind_junction(objects, speed, place),
         lane_of=lane_of,
@@ -128,6 +128,11 @@ def _with_room(structure: Structure, plan: Plan) -> Plan:
         distance = round(reach + 4, 1) if stated is None else (round(reach + 1, 1), high(distance))
     exit_room = max(plan.exit_room, taken.pop("exit", 0.0))
     return replace(plan, distance=distance, exit_room=exit_room, reach=reach, lengths=taken)
+
+
+def _single(said: PlaceSpec, place: PlaceSpec, two_way: bool) -> bool:
+    """Whether ego's road has one lane in its direction: as is said, or as roads with two directions have."""
+    return said.lanes == 1 and (two_way or place.kind in JUNCTION) or two_way and said.lanes is None
 
 
 def _placed_after(structure: Structure) -> None:

@@ -67,7 +67,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
         named = [s for s in known if match.start("what") <= s.start < match.end("what")]
         if not named:
             continue
-        kind, plural = named[0].data["type"], named[0].data["plural"]
+        kind, plural = named[0].data["type"], named[0].data.get("plural", False)
         if pattern == table["how_many"] and (not objects_of(structure, kind)):
             continue
         who = match.groupdict().get("who") or ""

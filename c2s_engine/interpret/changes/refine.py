@@ -7,6 +7,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import limits, notes, order
 from c2s_engine.interpret.changes.all_of_them import each_of_all
 from c2s_engine.interpret.changes.demands import demands, topic_of, whole
+from c2s_engine.interpret.changes.meant import by_labels
 from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.interpret.changes.speed import walked
 from c2s_engine.interpret.changes.told import introduced
@@ -24,7 +25,7 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     edits: list[Edit] = []
     said: list[str] = []
     current = structure
-    _told, text = text, notes.text_of(text, structure)
+    text = notes.text_of(by_labels(text, structure), structure)
     before, topic = "", topic_of(text, structure)
     parts = [d for part in limits.in_order(demands(text)) for d in each_of_all(part, structure)]
     if len(parts) > 1 and not order.retype(parts[0], structure):

@@ -52,7 +52,8 @@ class Sessions(Part):
                 self.bench.files.forget()
         self.bench.take_session(session)
         self.app.remember(session=session.name)
-        for turn in session.history[-50:]:
+        self.chat.entry.remember(session.typed)
+        for turn in session.conversation[-50:]:
             await self.chat.note(turn.text, "user" if turn.kind == "say" else "note")
             for reply in turn.replies:
                 await self.chat.note(reply, "say")

@@ -5,6 +5,7 @@ from typing import Any
 from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.containers import VerticalScroll
+from textual.content import Content
 from textual.widgets import Static
 
 from c2s_tui.desk import Desk
@@ -26,12 +27,14 @@ class ResultsPane(VerticalScroll, can_focus=True):
     def __init__(self, **options: Any):
         super().__init__(**options)
         self.desk = Desk()
+        self._drawn = False
 
     def compose(self) -> ComposeResult:
         yield Static(id="report", markup=False)
 
     def show(self, desk: Desk) -> None:
-        """Take the desk; drawn only while the pane is open. Another run is shown from its outcome on."""
+        """Take the desk; drawn only while the pane is open, and else empty, so that it never opens with what was there
+        before. Another run is shown from its outcome on."""
         if desk.facts is not self.desk.facts:
             self.scroll_home(animate=False)
         self.desk = desk
@@ -43,7 +46,11 @@ class ResultsPane(VerticalScroll, can_focus=True):
     def _draw(self) -> None:
         width = self.content_size.width
         if self.has_class("-on") and width > 10:
+            self._drawn = True
             self.query_one("#report", Static).update(report(self.desk, self.desk.gaps, width - 1))
+        elif self._drawn and not self.has_class("-on"):
+            self._drawn = False
+            self.query_one("#report", Static).update(Content(""))
 
     def action_seeds(self) -> None:
         self.post_message(CommandAsked("seeds", "20"))

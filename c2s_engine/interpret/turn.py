@@ -7,6 +7,7 @@ from typing import Literal
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import asked, notes, pointed, put, refine, retold
 from c2s_engine.interpret.changes.corrected import Last, after, corrected, differences, of_the_same
+from c2s_engine.interpret.changes.forms import ALREADY
 from c2s_engine.interpret.changes.refer import refer, spec_of
 from c2s_engine.interpret.embedded import NOT_ENGLISH, faults
 from c2s_engine.interpret.entities import MOVERS
@@ -61,14 +62,14 @@ def _again(text: str, structure: Structure, last: Last) -> Turn | None:
 
 
 def _route(text: str, structure: Structure | None) -> Turn:
-    table = language.table("refine")
+    table, typed = language.table("refine"), text
     for find, new in language.table("turns")["hurried"]:
         text = re.sub(find, new, text, flags=re.IGNORECASE)
     text = re.sub(table["both_ways"], r"swap \1 and \2", text)
     text = Mended(re.sub(table["arrows"], " becomes ", text), scene=False).text
     text = re.sub(table["lines"], ". ", text.strip())
     plain = " ".join(scan.normalised(text).split())
-    whole = (0, len(text))
+    whole = (0, len(typed))
     if not plain:
         return Turn("edit", reply="Say what the scene is, or what to change in it.", span=whole)
     if (back := _taken_back(plain)) is not None:
@@ -76,7 +77,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
     if _anew(plain):
         return Turn("scenario", span=whole)
     if structure is not None and structure.objects and (nobody := pointed.missing(plain, structure)):
-        return Turn("edit", reply=_not_understood(text, _absent(nobody, structure)), span=whole)
+        return Turn("edit", reply=_not_understood(typed, _absent(nobody, structure)), span=whole)
     plain = put.plainly(plain, structure) if structure is not None else plain
     if structure is not None and (edits_said := _wished(plain, structure)):
         return Turn("edit", *edits_said, whole)
@@ -97,14 +98,16 @@ def _route(text: str, structure: Structure | None) -> Turn:
     edits, said = refine.edits_of(demanded, structure)
     stranger = pointed.nobody(demanded, structure)
     if stranger and edits and not any(isinstance(e, AddObject) for e in edits):
-        return Turn("edit", reply=_not_understood(text, _absent(stranger, structure)), span=whole)
+        return Turn("edit", reply=_not_understood(typed, _absent(stranger, structure)), span=whole)
     if edits:
         return Turn("edit", edits, "; ".join(said), whole)
+    if said and all(s.startswith(ALREADY) for s in said):
+        return Turn("edit", reply=f"Nothing was changed: {'; '.join(said)}.", span=whole)
     if said:
-        return Turn("edit", reply=_not_understood(text, "; ".join(said)), span=whole)
+        return Turn("edit", reply=_not_understood(typed, "; ".join(said)), span=whole)
     short = len(plain.split()) < 9 and not re.search(r"[.;] \w", plain)
     if commanding or short or not _of_strangers(plain, structure) or _of_those_there(plain, structure):
-        return Turn("edit", reply=_not_understood(text, _absent(stranger, structure) if stranger else ""), span=whole)
+        return Turn("edit", reply=_not_understood(typed, _absent(stranger, structure) if stranger else ""), span=whole)
     return Turn("scenario", span=whole)
 
 

@@ -19,10 +19,10 @@ class ResultsCommands(Part):
                 await self.bench.turns.do_cancel("")
                 return
             self.bench.results.remove_class("-on")
-            self.bench.results.show(self.desk)
             self.bench.query_one("#right").remove_class("-results")
             self.bench.room.go_to("code")
             return
+        self.bench.results.empty()
         self.bench.results.add_class("-on")
         self.bench.query_one("#right").add_class("-results")
         self.bench.room.go_to("results")

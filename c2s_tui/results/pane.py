@@ -27,14 +27,12 @@ class ResultsPane(VerticalScroll, can_focus=True):
     def __init__(self, **options: Any):
         super().__init__(**options)
         self.desk = Desk()
-        self._drawn = False
 
     def compose(self) -> ComposeResult:
         yield Static(id="report", markup=False)
 
     def show(self, desk: Desk) -> None:
-        """Take the desk; drawn only while the pane is open, and else empty, so that it never opens with what was there
-        before. Another run is shown from its outcome on."""
+        """Take the desk; drawn only while the pane is open. Another run is shown from its outcome on."""
         if desk.facts is not self.desk.facts:
             self.scroll_home(animate=False)
         self.desk = desk
@@ -46,11 +44,11 @@ class ResultsPane(VerticalScroll, can_focus=True):
     def _draw(self) -> None:
         width = self.content_size.width
         if self.has_class("-on") and width > 10:
-            self._drawn = True
             self.query_one("#report", Static).update(report(self.desk, self.desk.gaps, width - 1))
-        elif self._drawn and not self.has_class("-on"):
-            self._drawn = False
-            self.query_one("#report", Static).update(Content(""))
+
+    def empty(self) -> None:
+        """Before it is opened: what it showed last may be of another program."""
+        self.query_one("#report", Static).update(Content(""))
 
     def action_seeds(self) -> None:
         self.post_message(CommandAsked("seeds", "20"))

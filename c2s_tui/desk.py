@@ -61,6 +61,11 @@ class Desk:
         return tuple(d for stage in self.stages for d in stage.diagnostics)
 
     @property
+    def making(self) -> bool:
+        """Whether a program is being made or run."""
+        return self.running is not None or any(s in ("writing", "dirty") for s in self.states.values())
+
+    @property
     def collisions(self) -> tuple[Collision, ...]:
         """Those of the first run."""
         return collisions(next(iter(self.facts), None), self.requirements, bool(self.structure.text))
@@ -95,6 +100,13 @@ def _fresh(desk: Desk) -> Desk:
     return replace(desk, **empty, gaps={}, stale=False)
 
 
+def _other(desk: Desk, structure: Structure) -> Desk:
+    """With another S: what was measured of the one before goes."""
+    specs = [c.spec for c in structure.components]
+    same = specs == [c.spec for c in desk.structure.components]
+    return replace(desk if same else _fresh(desk), structure=structure)
+
+
 def opened(structure: Structure, program: Program) -> Desk:
     """The desk on which a session was laid as it was left."""
     return Desk(structure=structure, program=program, before=program.text)
@@ -119,7 +131,7 @@ def step(desk: Desk, event: Progress) -> Desk:
             structure = structure.with_component(event.component)
         return replace(desk, structure=structure, states={**desk.states, event.component.id: event.state})
     if isinstance(event, StructureChanged):
-        return replace(desk, structure=event.structure)
+        return _other(desk, event.structure)
     if isinstance(event, ProgramChanged):
         same = event.program.text == desk.program.text
         gone: dict[str, Any] = {} if same else {**dict.fromkeys((*MEASURED, "seeds"), ()), "gaps": {}, "planned": 0}
@@ -150,7 +162,14 @@ def step(desk: Desk, event: Progress) -> Desk:
 def expected(desk: Desk, structure: Structure) -> Desk:
     """S as edits under way will make it: what they touch is dirty until the engine says more."""
     states = {c.id: "dirty" for c in structure.components if c.id not in desk.structure or desk.structure[c.id] != c}
-    return replace(desk, structure=structure, states=states)
+    return replace(_other(desk, structure), states=states)
+
+
+def as_it_was(desk: Desk, session: "Session") -> Desk:
+    """A turn that changed nothing is over: what was measured before it counts again, where the turn has cleared it."""
+    if desk.stale or desk.facts or desk.program.text != session.program.text:
+        return desk
+    return replace(restored(desk, session), stages=desk.stages or session.stages)
 
 
 def restored(desk: Desk, session: "Session | State") -> Desk:

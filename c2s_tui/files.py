@@ -97,7 +97,7 @@ class Files(Part):
         if path.suffix == ".scenic" or path.is_file():
             await self.import_file(path)
         else:
-            self.bench.sessions.open_session(argument)
+            self.bench.sessions.open_known(argument)
 
     async def import_file(self, path: Path) -> None:
         """Take a Scenic file into the session, in components."""

@@ -1,6 +1,7 @@
 """Sessions: open one, as it was left; list, rename, delete."""
 
 import asyncio
+from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
 from c2s_engine.session.errors import SessionInUse
@@ -32,6 +33,19 @@ class Sessions(Part):
             return
         await self.enter(name)
 
+    @background("begin", exclusive=False)
+    async def open_known(self, name: str) -> None:
+        """Open a session that there is; of a name that none has, say which are near: a slip of the keys makes none."""
+        names = [s.name for s in await self.backend.all_sessions()]
+        if name in names:
+            self.open_session(name)
+            return
+        near = get_close_matches(name, names, 3)
+        there = f"Did you mean {' or '.join(near)}?" if near else f"There are {', '.join(names[:5])}; /open lists all."
+        await self.chat.note(
+            f"There is no session and no file {name}. {there} /new {name} makes a new session.", "error"
+        )
+
     async def enter(self, name: str) -> None:
         """Open a session and show where it was left, with what was typed and not sent."""
         if self.bench.session is not None:
@@ -52,7 +66,8 @@ class Sessions(Part):
                 self.bench.files.forget()
         self.bench.take_session(session)
         self.app.remember(session=session.name)
-        for turn in session.history[-50:]:
+        self.chat.entry.remember(session.typed)
+        for turn in session.conversation[-50:]:
             await self.chat.note(turn.text, "user" if turn.kind == "say" else "note")
             for reply in turn.replies:
                 await self.chat.note(reply, "say")

@@ -38,14 +38,15 @@ class StatusBar(Static):
         self._ends = True
         self.update(Content.styled(CLOSING, "bold $text-accent"), layout=False)
 
-    def show(self, desk: Desk, choice: Choice, working: str = "") -> None:
-        words = line(desk, choice, working, self.app.size.width)
+    def show(self, desk: Desk, choice: Choice, working: str = "", choosing: str = "") -> None:
+        """`choosing`: the key that shows code by hand that its fields contradict, with what would be written."""
+        words = line(desk, choice, working, self.app.size.width, choosing)
         if not self._ends and words != self._shown:
             self._shown = words
             self.update(words, layout=False)
 
 
-def line(desk: Desk, choice: Choice, working: str, width: int) -> Content:
+def line(desk: Desk, choice: Choice, working: str, width: int, choosing: str = "") -> Content:
     """The row; narrow terminals lose the least needed first."""
     parts: list = []
 
@@ -82,6 +83,9 @@ def line(desk: Desk, choice: Choice, working: str, width: int) -> Content:
     seen, required = tally(desk.results)
     if required:
         add((f"{seen} of {required} requirements met", "$text-success" if seen == required else "$text-warning"))
+    if against := [c.id for c in desk.structure.components if c.conflict is not None]:
+        said = f"{mark('conflict')} {', '.join(against)}: "
+        add((said + (f"code or fields? {choosing} chooses" if width >= 100 else choosing), "bold $text-error"))
     if working:
         add(_doing(working))
     return Content.assemble(*parts)

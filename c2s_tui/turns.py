@@ -73,12 +73,15 @@ class Turns(Part):
                 if not finished:
                     now = self.session
                     self.desk = desks.broken_off(self.desk, now.structure, now.program)
+                    self.desk = desks.as_it_was(self.desk, now)
                 else:
                     self.waiting = ()
                 self.bench.show()
                 await self.chat.end()
             if finished:
                 await self.summarise(label)
+                self.desk = desks.as_it_was(self.desk, self.session)
+                self.bench.show()
                 self.bench.running.find_gaps()
                 self.bench.search.offer_snippets(self.desk.structure)
                 if self.desk.structure.text not in ("", text) and self.bench.choices.choice.method == "embedded":

@@ -28,7 +28,7 @@ from c2s_tui.desk import Desk
 from c2s_tui.drafts import Drafts
 from c2s_tui.drawing import Drawing
 from c2s_tui.files import WATCH_SECONDS, Files
-from c2s_tui.keys import KeyBar
+from c2s_tui.keys import KeyBar, named
 from c2s_tui.leaving import Leaving
 from c2s_tui.messages import CodeTyped, CommandAsked, EditsAsked, Picked, ReachAsked, Said
 from c2s_tui.palette import Palette
@@ -154,7 +154,12 @@ class Workbench(Screen):
         working = self.turns.working
         if working == "reading" and self.turns.long:
             working = f"reading {self.turns.long / 1000:.0f} kB, {monotonic() - self.turns.since:.0f} s"
-        self.query_one(StatusBar).show(self.desk, self.choices.choice, working)
+        self.query_one(StatusBar).show(self.desk, self.choices.choice, working, self._choosing())
+
+    def _choosing(self) -> str:
+        """The key of the choice between code by hand and its fields."""
+        command = commands()["conflict"]
+        return named(cast("C2SApp", self.app).prefs.keys.get(command.id, command.key))
 
     def _tick(self) -> None:
         if self.turns.long and self.turns.busy:

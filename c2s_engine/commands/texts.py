@@ -3,7 +3,7 @@
 import asyncio
 from contextlib import nullcontext
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.table import Table
@@ -13,6 +13,10 @@ from c2s_engine.commands import show
 from c2s_engine.commands.console import OK, dump, err, out, sentences, work
 from c2s_engine.commands.reading import read_program, read_text
 from c2s_engine.structure.account import account
+
+if TYPE_CHECKING:
+    from c2s_engine.api import Engine
+    from c2s_engine.check.protocol import ImportResult
 
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object.")]
 
@@ -59,7 +63,7 @@ def import_(
     """Decompose any Scenic driving program into G, R, E, O1..N, T; assembled again it is the same, byte for byte."""
     with sentences(as_json):
         text = read_program(file)
-    found: Any = work(_import(text, file.name), as_json)
+    found: Any = work(_import(text, file), as_json)
     with sentences(as_json):
         from c2s_engine.structure.program import assemble
 
@@ -80,9 +84,26 @@ def import_(
     show.structure(found.structure)
 
 
-async def _import(text: str, name: str) -> Any:
+async def _import(text: str, file: Path) -> Any:
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
 
     async with Engine(load_settings()) as engine:
-        return await engine.check_client.import_program(text, name)
+        found, own = await imported(engine, text, file)
+    if own:
+        err.print(Text(f"Components as in {own}.", style="dim"))
+    return found
+
+
+async def imported(engine: "Engine", text: str, file: Path) -> tuple["ImportResult", str]:
+    """The program in components, and the name of the S that they are from: the one that was saved with the program,
+    where that is its own; else none."""
+    from c2s_engine.check.protocol import ImportResult
+    from c2s_engine.saving import beside, followed, taken
+    from c2s_engine.structure.program import assemble
+
+    if edits := taken(file, text):
+        structure = await followed(engine, edits)
+        if assemble(structure).text == text:
+            return ImportResult(structure=structure), beside(file).name
+    return await engine.check_client.import_program(text, file.name), ""

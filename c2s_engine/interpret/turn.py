@@ -5,17 +5,17 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes import asked, notes, put, refine, retold
+from c2s_engine.interpret.changes import asked, notes, pointed, put, refine, retold
 from c2s_engine.interpret.changes.corrected import Last, after, corrected, differences, of_the_same
-from c2s_engine.interpret.changes.pointed import missing
-from c2s_engine.interpret.changes.refer import refer
+from c2s_engine.interpret.changes.forms import ALREADY
+from c2s_engine.interpret.changes.refer import refer, spec_of
 from c2s_engine.interpret.embedded import NOT_ENGLISH, faults
 from c2s_engine.interpret.entities import MOVERS
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.reading.english import is_english
 from c2s_engine.interpret.reading.spelling import Mended
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import Edit
+from c2s_engine.structure.edits import AddObject, Edit
 
 TurnKind = Literal["question", "edit", "scenario", "undo", "redo"]
 
@@ -62,23 +62,22 @@ def _again(text: str, structure: Structure, last: Last) -> Turn | None:
 
 
 def _route(text: str, structure: Structure | None) -> Turn:
-    table = language.table("refine")
+    table, typed = language.table("refine"), text
     for find, new in language.table("turns")["hurried"]:
         text = re.sub(find, new, text, flags=re.IGNORECASE)
     text = re.sub(table["both_ways"], r"swap \1 and \2", text)
     text = Mended(re.sub(table["arrows"], " becomes ", text), scene=False).text
     text = re.sub(table["lines"], ". ", text.strip())
     plain = " ".join(scan.normalised(text).split())
-    whole = (0, len(text))
+    whole = (0, len(typed))
     if not plain:
         return Turn("edit", reply="Say what the scene is, or what to change in it.", span=whole)
     if (back := _taken_back(plain)) is not None:
         return Turn(back, span=whole)
     if _anew(plain):
         return Turn("scenario", span=whole)
-    if structure is not None and structure.objects and (nobody := missing(plain, structure)):
-        there = ", ".join(c.id for c in structure.objects)
-        return Turn("edit", reply=_not_understood(text, f"there is no {nobody}; there are {there}"), span=whole)
+    if structure is not None and structure.objects and (nobody := pointed.missing(plain, structure)):
+        return Turn("edit", reply=_not_understood(typed, _absent(nobody, structure)), span=whole)
     plain = put.plainly(plain, structure) if structure is not None else plain
     if structure is not None and (edits_said := _wished(plain, structure)):
         return Turn("edit", *edits_said, whole)
@@ -97,13 +96,18 @@ def _route(text: str, structure: Structure | None) -> Turn:
     ):
         return Turn("scenario", span=whole)
     edits, said = refine.edits_of(demanded, structure)
+    stranger = pointed.nobody(demanded, structure)
+    if stranger and edits and not any(isinstance(e, AddObject) for e in edits):
+        return Turn("edit", reply=_not_understood(typed, _absent(stranger, structure)), span=whole)
     if edits:
         return Turn("edit", edits, "; ".join(said), whole)
+    if said and all(s.startswith(ALREADY) for s in said):
+        return Turn("edit", reply=f"Nothing was changed: {'; '.join(said)}.", span=whole)
     if said:
-        return Turn("edit", reply=_not_understood(text, "; ".join(said)), span=whole)
+        return Turn("edit", reply=_not_understood(typed, "; ".join(said)), span=whole)
     short = len(plain.split()) < 9 and not re.search(r"[.;] \w", plain)
     if commanding or short or not _of_strangers(plain, structure) or _of_those_there(plain, structure):
-        return Turn("edit", reply=_not_understood(text), span=whole)
+        return Turn("edit", reply=_not_understood(typed, _absent(stranger, structure) if stranger else ""), span=whole)
     return Turn("scenario", span=whole)
 
 
@@ -125,6 +129,12 @@ def _not_understood(text: str, why: str = "") -> str:
     """The answer to a change that is not understood, or that cannot be made, with what would do."""
     how = why or "name in English what is to change and how, such as “make the lead a truck”"
     return f"I did not understand “{text.strip()[:80]}” as a change{' that can be made' if why else ''}: {how}."
+
+
+def _absent(who: str, structure: Structure) -> str:
+    """That somebody is not there, and who is."""
+    there = [f"{c.id} ({spec_of(c).name})" for c in structure.objects]
+    return f"there is no {who}; there {'is' if len(there) == 1 else 'are'} {', '.join(there) or 'no others than ego'}"
 
 
 def _anew(plain: str) -> bool:

@@ -1,9 +1,10 @@
 """What must outlive a crash before it is in a checkpoint: the turn that is being worked on, and drafts.
 
 A turn is written down, and on the disk, before the graph is invoked; its end is a second line. A turn without its end
-was interrupted: it is offered again when the session is opened.
+was interrupted: it is offered again when the session is opened. A text that led to no turn stays with its end.
 """
 
+import contextlib
 import json
 import os
 import re
@@ -19,6 +20,7 @@ from c2s_engine.session.files import sync_folder, write_whole
 from c2s_engine.structure.edits import Edit
 
 COMPACT_AT = 256 << 10  # bytes
+KEPT_TEXTS = 50  # that led to no turn
 Kind = Literal["say", "apply", "regenerate"]
 
 
@@ -36,6 +38,16 @@ class Pending(BaseModel):
     when: float = 0.0
 
 
+class Unread(BaseModel):
+    """A text that led to no turn: its reading failed, it was not understood, or it was cancelled."""
+
+    model_config = ConfigDict(frozen=True)
+
+    text: str
+    when: float = 0.0  # s since the epoch
+    replies: tuple[str, ...] = ()
+
+
 class Journal:
     """One session's turns, a JSON line as each begins and ends."""
 
@@ -43,6 +55,7 @@ class Journal:
         self.file = file
         self._open: dict[int, Pending] = {}
         self._last = 0
+        self.unread: list[Unread] = []
         for line in self._lines():
             self._take(line)
 
@@ -69,13 +82,23 @@ class Journal:
         self._append({"begin": turn.model_dump(mode="json")})
         return turn
 
-    def end(self, turn: Pending) -> None:
-        """Note that a turn is in a checkpoint, was refused or cancelled: it will not be offered again."""
-        self._open.pop(turn.number, None)
+    def end(self, turn: Pending, unread: Unread | None = None) -> None:
+        """Note that a turn is in a checkpoint, was refused or cancelled: it will not be offered again; `unread`: its
+        text, where that led to no turn."""
+        entry: dict[str, Any] = {"end": turn.number}
+        if unread is not None:
+            entry["unread"] = [unread.model_dump(mode="json")]
+        self._take(entry)
         if self.file.exists() and self.file.stat().st_size > COMPACT_AT:
-            write_whole(self.file, json.dumps({"last": self._last}) + "\n")
+            kept: list[Unread] = []
+            for text in reversed(self.unread):
+                if sum(len(t.model_dump_json()) for t in (*kept, text)) < COMPACT_AT // 2:
+                    kept.insert(0, text)
+            self.unread = kept
+            told = [t.model_dump(mode="json") for t in kept]
+            write_whole(self.file, json.dumps({"last": self._last, "unread": told}) + "\n")
         else:
-            self._append({"end": turn.number})
+            self._append(entry)
 
     def _append(self, entry: dict[str, Any]) -> None:
         new = not self.file.exists()
@@ -115,6 +138,8 @@ class Journal:
             self._open.pop(entry["end"], None)
         elif "last" in entry:
             self._last = entry["last"]
+        with contextlib.suppress(ValueError, TypeError):
+            self.unread = [*self.unread, *map(Unread.model_validate, entry.get("unread", ()))][-KEPT_TEXTS:]
 
 
 class Drafts:

@@ -15,7 +15,7 @@ from typing import Any
 from c2s_engine.session.errors import SessionError, SessionInUse
 from c2s_engine.session.facade import Turns
 from c2s_engine.session.files import write_whole
-from c2s_engine.session.journal import Drafts, Journal, Pending
+from c2s_engine.session.journal import Drafts, Journal, Pending, Unread
 from c2s_engine.session.state import State, edit_words, futile, summary
 from c2s_engine.session.store import Row, Store, TurnRow
 from c2s_engine.structure.components import Structure
@@ -121,6 +121,18 @@ class Session:
         return [Turn(first + i, t.kind, t.text, t.when, t.summary, t.replies) for i, t in enumerate(rows)]
 
     @property
+    def conversation(self) -> list[Turn]:
+        """The turns that lead here and the texts that led to none (their index is -1), as they were said."""
+        unread = [Turn(-1, "say", t.text, t.when, "nothing changed", t.replies) for t in self._journal.unread]
+        return sorted([*self.history, *unread], key=lambda t: t.when)
+
+    @property
+    def typed(self) -> list[str]:
+        """The texts of this session in their order, also of turns that were undone or came to nothing."""
+        said = {(t.when, t.text) for t in (*self.conversation, *self.undone) if t.kind == "say"}
+        return [text for _, text in sorted(said)]
+
+    @property
     def can_undo(self) -> bool:
         return len(self._path()) > 1
 
@@ -212,6 +224,7 @@ class Session:
         turn: Pending | None = None
         finished: Finished | None = None
         said: list[str] = []
+        unread = True
         try:
             turn = begin()
             if self._head is None:
@@ -233,14 +246,24 @@ class Session:
             back = finished.details.get("turn") if finished else None
             if finished and back not in ("undo", "redo") and not futile(finished):
                 await asyncio.to_thread(self._commit, turn, finished, tuple(said))
+                unread = False
+            elif finished and back in ("undo", "redo"):
+                unread = False
+        except (asyncio.CancelledError, GeneratorExit):
+            said.append("Cancelled; nothing was changed.")
+            raise
         except sqlite3.Error as error:
             raise SessionError(f"the session cannot be written ({error}): free some space; S is unchanged") from None
         except OSError as error:
             raise SessionError(f"the turn could not be done ({error}); S is unchanged") from None
+        except Exception as error:
+            said.append(str(error))
+            raise
         finally:
             self._running = False
             if turn:
-                self._journal.end(turn)
+                lost = unread and turn.kind == "say"
+                self._journal.end(turn, Unread(text=turn.text, when=turn.when, replies=tuple(said)) if lost else None)
         if back == "undo" and self.can_undo:
             yield Say(text=f"Taken back: {self._path()[-1].text}")
         if back in ("undo", "redo"):

@@ -73,7 +73,7 @@ async def say(
                     event = _as_it_was(event, current)
                     yield Say(text="S and its program stay as they were.", severity="warning")
                 if turn.edits and all(s.ok for s in event.stages if s.name in ("resolve", "write")):
-                    yield Say(text=outcome(event))
+                    yield Say(text=outcome(event, current))
             yield event
 
 
@@ -213,8 +213,12 @@ async def _picked(engine: Facade, number: int, passages: Sequence[Any]) -> Async
     yield _Next("scenario", text=text)
 
 
-def outcome(finished: Finished) -> str:
+def outcome(finished: Finished, before: Structure) -> str:
     """What an edit made the writer write anew, where code by hand followed it, and what stayed."""
+    if [(c.id, c.spec, c.code) for c in before.components] == [
+        (c.id, c.spec, c.code) for c in finished.structure.components
+    ]:
+        return "Nothing was changed: S said that already."
     followed = [c for c in finished.details.get("in_place", []) if c in finished.structure]
     rewritten = finished.details.get("rewritten", [])
     written = [c for c in rewritten if c in finished.structure and c not in followed]

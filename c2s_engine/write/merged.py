@@ -56,14 +56,25 @@ def merged(base: str, own: str, other: str) -> str | None:
 
 
 def without_numbers(base: str, own: str) -> str:
-    """`own`, with the lines of `base` wherever it has but other numbers than these."""
+    """`own`, with the lines of `base` wherever it has but other numbers than these; its comments stay."""
     start, mine = base.split("\n"), own.split("\n")
     for tag, i1, i2, j1, j2 in SequenceMatcher(None, start, mine, autojunk=False).get_opcodes():
-        if tag == "replace" and i2 - i1 == j2 - j1:
-            for i, j in zip(range(i1, i2), range(j1, j2), strict=True):
-                if _NUMBER.sub("0", start[i]) == _NUMBER.sub("0", mine[j]):
-                    mine[j] = start[i]
+        if tag != "replace":
+            continue
+        for i in range(i1, i2):
+            code, same = _commented(start[i])[0], _NUMBER.sub("0", _commented(start[i])[0])
+            at = next((j for j in range(j1, j2) if same and _NUMBER.sub("0", _commented(mine[j])[0]) == same), None)
+            if at is not None:
+                mine[at] = start[i] if _NUMBER.sub("0", start[i]) == _NUMBER.sub("0", mine[at]) else \
+                    code + _commented(mine[at])[1]  # fmt: skip
+                j1 = at + 1
     return "\n".join(mine)
+
+
+def _commented(line: str) -> tuple[str, str]:
+    """A line of code and the comment behind it, with the gap before that."""
+    code = _COMMENT.sub(lambda m: m[1] or "", line).rstrip()
+    return code, line[len(code) :]
 
 
 def alike(code: str, other: str) -> bool:

@@ -53,6 +53,11 @@ class Entry(OrderedArea):
             self.text = ""
             self.post_message(Said(text))
 
+    def remember(self, texts: list[str]) -> None:
+        """Texts that were sent before those of this run of the app come back with the arrow keys, too."""
+        self.sent = [*(t for t in texts if t not in self.sent), *self.sent]
+        self._at = len(self.sent)
+
     def put(self, text: str) -> None:
         """Put a text there to be sent or changed."""
         self.text = text

@@ -22,10 +22,11 @@ class ResultsCommands(Part):
             self.bench.query_one("#right").remove_class("-results")
             self.bench.room.go_to("code")
             return
+        self.bench.results.empty()
         self.bench.results.add_class("-on")
         self.bench.query_one("#right").add_class("-results")
         self.bench.room.go_to("results")
-        self.bench.call_after_refresh(self.bench.results.show, self.desk)
+        self.bench.call_after_refresh(lambda: self.bench.results.show(self.desk))
         self.find_gaps()
         idle = self.bench.session is not None and not self.bench.turns.busy
         if idle and self.desk.program.text and not self.desk.trajectories:

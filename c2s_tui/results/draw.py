@@ -40,6 +40,8 @@ def heading(text: str) -> tuple[str, str]:
 
 def outcome(desk: Desk) -> Content:
     """Collisions, how the run ended, how near the actors came."""
+    if not desk.facts and desk.making:
+        return Content.styled("A new program is being made: what its run shows comes here.", "$muted")
     if not desk.facts:
         failed = next((s for s in desk.stages if not s.ok), None)
         if failed is not None:

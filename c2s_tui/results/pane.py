@@ -5,6 +5,7 @@ from typing import Any
 from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.containers import VerticalScroll
+from textual.content import Content
 from textual.widgets import Static
 
 from c2s_tui.desk import Desk
@@ -44,6 +45,10 @@ class ResultsPane(VerticalScroll, can_focus=True):
         width = self.content_size.width
         if self.has_class("-on") and width > 10:
             self.query_one("#report", Static).update(report(self.desk, self.desk.gaps, width - 1))
+
+    def empty(self) -> None:
+        """Before it is opened: what it showed last may be of another program."""
+        self.query_one("#report", Static).update(Content(""))
 
     def action_seeds(self) -> None:
         self.post_message(CommandAsked("seeds", "20"))

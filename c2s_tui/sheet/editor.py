@@ -64,9 +64,18 @@ class FieldEditor(Vertical):
         self.call_after_refresh(self._show_cursor)
 
     def _show_cursor(self) -> None:
-        """The line was as wide as nothing when its cursor was put at the end."""
+        """The line was as wide as nothing when its cursor was put at the end. A sentence that is longer than the line
+        is shown from its beginning on, and whole below."""
         line = self.query_one(Input)
+        if self.row.kind == SENTENCE:
+            if line.value == self.row.text and self._hides(line.value):
+                line.cursor_position = 0
+            self.query_one(Static).update(self._hint())
         line.scroll_to_region(Region(line.cursor_position, 0, 1, 1), animate=False, force=True)
+
+    def _hides(self, text: str) -> bool:
+        """Whether the line shows only a part of a text: then the whole stands below it."""
+        return any(0 < line.size.width <= len(text) for line in self.query(Input))
 
     def _choices(self) -> tuple[str, ...]:
         if self._appends:
@@ -84,7 +93,9 @@ class FieldEditor(Vertical):
         if error:
             return Content.styled(error, "$text-error")
         if self.row.kind == SENTENCE:
-            return Content.styled("one sentence; Enter applies it, Esc keeps what was there", "$muted")
+            said = Content.styled("one sentence; Enter applies it, Esc keeps what was there", "$muted")
+            text = next((line.value for line in self.query(Input)), self.row.text)
+            return Content.assemble((text, "$text"), "\n", said) if self._hides(text) else said
         parts = [self.field.about] if self.field and self.field.about else []
         if choices := self._choices():
             more = f" ... {len(choices)} in all" if len(choices) > SHOWN_CHOICES else ""
@@ -138,6 +149,8 @@ class FieldEditor(Vertical):
 
     def on_input_changed(self, event: Input.Changed) -> None:
         event.stop()
+        if self.row.kind == SENTENCE:
+            self.query_one(Static).update(self._hint())
         try:
             edit = self.edit_of(event.value)
         except EditError:

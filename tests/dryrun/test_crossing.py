@@ -29,10 +29,15 @@ def test_paths_cross_within_ten_seconds(town, apart, expected):
     assert shows(crossing(town, 8.0, 8.0, start=30 + 8 * apart), "cross_path", "a", "ego") is expected
 
 
-@pytest.mark.parametrize(("missing", "expected"), [(3, True), (30, False)])
-def test_one_may_be_halted_before_the_crossing(town, missing, expected):
+@pytest.mark.parametrize(
+    ("missing", "reaches", "near"), [(-12, True, True), (3, False, True), (30, False, False)], ids=str
+)
+def test_who_is_halted_before_the_crossing_was_there_only_with_its_body(town, missing, reaches, near):
+    """m to the junction; the other crosses the way of who waits near it."""
     facts = crossing(town, 8.0, halts(60 - missing), start=60)
-    assert shows(facts, "cross_path", "a", "ego") is expected
+    assert shows(facts, "cross_path", "a", "ego") is reaches
+    assert shows(facts, "cross_path", "ego", "a") is near
+    expected = near
     assert not shows(facts, "passes_first", "a", "ego")
     assert shows(facts, "passes_first", "ego", "a") is expected
 

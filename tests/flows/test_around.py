@@ -165,6 +165,12 @@ async def test_sessions_are_renamed_and_deleted(stage):
         assert stage.said[-1] == "That session is open: /open another one first."
         await stage.say(pilot, "/delete morning")
         assert stage.said[-1] == "There is no session morning; /open lists them."
+        await stage.say(pilot, "/open evenin", wait=False)
+        said = "There is no session and no file evenin. Did you mean evening? /new evenin makes a new session."
+        await stage.until(pilot, lambda: stage.said[-1] == said)
+        await stage.say(pilot, "/open x/y", wait=False)
+        await stage.until(pilot, lambda: "There are evening; /open lists all." in stage.said[-1])
+        assert [s.name for s in stage.backends[0].sessions.list()] == ["evening"]
         await stage.say(pilot, "/new night", wait=False)
         await stage.until(pilot, lambda: stage.bench.session.name == "night")
         await stage.say(pilot, "/delete evening", wait=False)

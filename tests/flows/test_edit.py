@@ -288,9 +288,35 @@ async def test_going_back_to_s_goes_on_in_the_field_that_is_open(stage):
         await stage.until(pilot, lambda: stage.bench.sheet.editor.query_one("Input").value == "b")
 
 
-async def test_a_long_sentence_is_opened_at_its_end_where_the_cursor_is(stage):
+async def test_a_long_sentence_is_opened_at_its_beginning_with_the_whole_below(stage):
     async with stage.described((100, 30)) as pilot:
         await stage.editing(pilot, "O1:sentence")
-        line = stage.bench.sheet.editor.query_one("Input")
-        assert line.cursor_position == len(line.value) > line.size.width
-        await stage.until(pilot, lambda: line.scroll_offset.x + line.size.width >= line.cursor_position)
+        editor = stage.bench.sheet.editor
+        line, text = editor.query_one("Input"), stage.bench.desk.structure["O1"].description
+        await stage.until(pilot, lambda: line.cursor_position == 0 and len(text) > line.size.width > 0)
+        assert line.scroll_offset.x == 0 and editor.query_one("Static").content.plain.startswith(f"{text}\n")
+        await pilot.press("end", "!")
+        await stage.until(pilot, lambda: editor.query_one("Static").content.plain.startswith(f"{text}!\n"))
+        assert line.scroll_offset.x + line.size.width >= line.cursor_position
+
+
+async def test_code_by_hand_against_its_fields_says_which_key_chooses(stage):
+    async with stage.described() as pilot:
+        stage.write("left of ego by 3.5", "left of ego by 4.0")
+        stage.bench.code.commit()
+        await stage.until(pilot, lambda: stage.bench.session.structure["O1"].origin == "by_hand")
+        await stage.idle(pilot)
+        await stage.conflict(pilot)
+        await stage.until(
+            pilot, lambda: "O1: code or fields? Alt+C chooses" in stage.bench.query_one("#status").content.plain
+        )
+        for focus in ("f2", "f3", "f4"):
+            await pilot.press(focus, "alt+c")
+            await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Conflict")
+            await pilot.press("escape")
+            await stage.until(pilot, lambda: stage.app.screen is stage.bench)
+        await pilot.press("alt+c")
+        await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Conflict")
+        await pilot.press("t")
+        await stage.until(pilot, lambda: stage.bench.session.structure["O1"].conflict is None)
+        await stage.until(pilot, lambda: "code or fields?" not in stage.bench.query_one("#status").content.plain)

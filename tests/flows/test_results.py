@@ -1,8 +1,9 @@
 """The outcome of a run in sight: in status, chat and S, and in the results pane with a series of seeds."""
 
 import asyncio
+import threading
 
-from scripted_engine import CUT_IN
+from scripted_engine import CUT_IN, Script
 
 from c2s_engine.structure.components import Unmet
 from c2s_tui.results.plot import Curve, plot
@@ -27,6 +28,29 @@ async def test_a_collision_that_nobody_asked_for_is_said_everywhere(stage):
         await pilot.press("f6")
         await stage.until(pilot, lambda: "Gaps to ego" in report(stage))
         assert said in report(stage) and "Requirements that are not met: 1" in report(stage)
+
+
+async def test_results_are_those_of_the_program_on_the_screen(stage):
+    stage.engine.scripts["Unreadable."] = Script(fail="c2s failed at this text")
+    async with stage.described() as pilot:
+        await pilot.press("f6")
+        await stage.until(pilot, lambda: "3 of 3 requirements met" in report(stage))
+        await stage.say(pilot, "Unreadable.")
+        assert "3 of 3 requirements met" in report(stage)  # nothing was changed: they still are
+        await stage.bench.run_command("results", "close")
+        await stage.bench.run_command("new", "other")
+        await stage.until(pilot, lambda: stage.bench.session.name == "other")
+        assert "requirements met" not in stage.bench.query_one("#status").content.plain
+        stage.engine.gate, stage.engine.gated_at = threading.Event(), "write"
+        await stage.say(pilot, CUT_IN, wait=False)
+        await stage.until(pilot, lambda: stage.bench.desk.structure.text)
+        await stage.bench.run_command("results", "")
+        assert "requirements met" not in report(stage)
+        await stage.until(pilot, lambda: "A new program is being made" in report(stage))
+        assert "requirements met" not in stage.bench.query_one("#status").content.plain
+        stage.engine.gate.set()
+        await stage.idle(pilot)
+        await stage.until(pilot, lambda: "3 of 3 requirements met" in report(stage))
 
 
 async def test_another_run_is_shown_from_its_outcome_on(stage):

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from scripted_engine import CUT_IN
+from scripted_engine import CUT_IN, Script
 
 from c2s_engine.session.errors import SessionError
 from c2s_engine.session.sessions import Sessions
@@ -166,6 +166,20 @@ async def test_what_was_typed_comes_back(stage):
         assert stage.bench.chat.entry.text == "half a thought"
         assert stage.bench.desk.program.text == program
         assert CUT_IN in stage.said
+
+
+async def test_a_text_whose_reading_failed_comes_back(stage):
+    text = "Unit 1 went north.\nUnit 2 did not."
+    stage.engine.scripts[text] = Script(fail="c2s failed at this text")
+    async with stage.described() as pilot:
+        await stage.say(pilot, text)
+        assert stage.said[-1] == "c2s failed at this text"
+        await stage.backends[-1].thread.do(stage.bench.session.close)
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        assert stage.said[-2:] == [text, "c2s failed at this text"] and CUT_IN in stage.said
+        await pilot.press("up")
+        await stage.until(pilot, lambda: stage.bench.chat.entry.text == text)
 
 
 async def test_few_colours_choose_the_terminals_own(stage, monkeypatch):

@@ -81,3 +81,15 @@ def test_what_is_not_understood_says_what_would_do(scene: Structure) -> None:
 def test_without_a_scene_everything_told_is_one() -> None:
     assert route("a pedestrian crosses", None).kind == "scenario"
     assert route("what is a typology?", None).kind == "question"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Unit 1 was going straight at 30 mph. Unit 2 pulled out of a driveway on the right without looking. It hit Unit 2.",
+        "Vehicle 1 was travelling north at 80 km/h. Vehicle 2, a pickup, crossed the centre line and struck vehicle 1.",
+        "NPC 7 cuts in ahead of ego.", "P-1 stepped out and the POV braked.", "Sarah drives behind driver B at a junction.",
+    ],
+)  # fmt: skip
+def test_the_first_text_of_a_session_is_a_scenario_whoever_it_names(text: str) -> None:
+    assert route(text, Structure()).kind == route(text, None).kind == "scenario"

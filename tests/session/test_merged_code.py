@@ -68,6 +68,16 @@ async def test_a_number_beside_other_changes_is_read_into_s(session):
     assert "speed is 36 km/h" in told and session.structure["E"].origin == "by_hand"
 
 
+async def test_a_number_changed_with_its_comment_is_read_into_s_and_the_comment_stays(session):
+    mine = "EGO_SPEED = 5.0  # m/s, mine: keep me\nMY_NOTE = 3\n"
+    told = await by_hand(session, "E", ("EGO_SPEED = 8.33  # m/s\n", mine))
+    ego = session.structure["E"]
+    assert "E, read from the code: speed is 18 km/h." in told and ego.spec.speed == pytest.approx(5.0)
+    assert mine in ego.code and "18 km/h" in ego.description and not ego.conflict
+    await done(session.say("ego at 36 km/h", run=False))
+    assert mine.replace("5.0", "10") in session.structure["E"].code and not session.structure["E"].conflict
+
+
 @pytest.mark.full
 async def test_code_that_was_kept_against_its_fields_says_so(session):
     await by_hand(session, "O1", ("THE_CAR_SPEED = 13.89", "THE_CAR_SPEED = EGO_SPEED + 5.5"))

@@ -6,6 +6,7 @@ import pytest
 import pytest_asyncio
 
 from c2s_engine.commands.reading import judged_by
+from c2s_engine.commands.texts import imported
 from c2s_engine.saving import beside, save, taken
 from c2s_engine.session.sessions import Sessions
 from c2s_engine.structure.edits import Replace, SetProgram
@@ -83,6 +84,19 @@ async def test_a_file_is_judged_by_the_s_that_was_saved_with_it(made, tmp_path):
     beside(file).unlink()
     structure, program, words = await judged_by(engine, text, file)
     assert not structure.text and words == "Judged by what is recognised in the program."
+
+
+async def test_an_import_has_the_components_that_were_saved_with_the_program(made, tmp_path):
+    engine, done = made
+    file = tmp_path / "a.scenic"
+    save(done.program, None, file, structure=done.structure)
+    found, whose = await imported(engine, file.read_text(), file)
+    assert (found.structure, whose) == (done.structure, "a.s.json")
+    text = file.read_text().replace("EGO_SPEED = 8.33", "EGO_SPEED = 5")
+    found, whose = await imported(engine, text, file)
+    assert found.structure.ego.spec.speed == pytest.approx(5) and whose == ""
+    found, whose = await imported(engine, "model scenic.simulators.carla.model\nego = new Car\n", file)
+    assert whose == "" and found.structure.text == ""
 
 
 async def test_an_s_of_another_program_or_none_is_left_alone(made, tmp_path):

@@ -184,6 +184,37 @@ async def test_a_fault_of_the_engine_ends_the_turn_only(sessions):
     assert [t.text for t in session.history] == ["car"]
 
 
+async def test_a_text_that_led_to_no_turn_stays_in_its_session(sessions, tmp_path, monkeypatch):
+    engine = FakeEngine()
+    session = sessions.open("one", engine)
+    with pytest.raises(RuntimeError, match="out of order"):
+        await take(session.say("fail at “Unit 2”"))
+    await take(session.say("car"))
+    task = asyncio.create_task(take(session.say("wait")))
+    await engine.waiting.wait()
+    task.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await task
+    await take(session.say("truck"))
+    await take(session.undo())
+
+    def texts(session):
+        return [t.text for t in session.conversation], session.typed
+
+    expected = ["fail at “Unit 2”", "car", "wait"], ["fail at “Unit 2”", "car", "wait", "truck"]
+    assert texts(session) == expected and [t.text for t in session.history] == ["car"]
+    assert session.conversation[0].replies == ("heard fail at “Unit 2”", "out of order")
+    session.close()
+    again = Sessions(tmp_path / "sessions").open("one", FakeEngine())
+    assert texts(again) == expected and again.pending is None
+    monkeypatch.setattr("c2s_engine.session.journal.COMPACT_AT", 1000)
+    for number in range(8):
+        await take(again.say(f"car {number}"))
+    again.close()
+    again = Sessions(tmp_path / "sessions").open("one", FakeEngine())
+    assert "fail at “Unit 2”" in again.typed
+
+
 async def test_one_process_at_a_time(sessions):
     session = sessions.open("one", FakeEngine())
     with pytest.raises(SessionError, match="open in another process"):

@@ -8,7 +8,8 @@ from c2s_engine.dryrun.events.table import definitions
 
 
 def cross_path(seen: Seen, other: Seen, met: Meeting, situation: Situation) -> int | None:
-    """The step at which the second of the two is at the point where their paths meet, or is halted before it."""
+    """The step at which it is where the other's path goes, its middle or at least its body, and the other has been at
+    that point or waits before it."""
     span = definitions()["cross_path"].time / situation.step
     if met.one is not None and met.other is not None:
         return max(met.one, met.other) if abs(met.one - met.other) <= span else None
@@ -17,9 +18,14 @@ def cross_path(seen: Seen, other: Seen, met: Meeting, situation: Situation) -> i
         return touch
     if met.one is not None:
         return _halted(other, met.other_short, met.one, span)
-    if met.other is not None:
+    if met.other is not None and met.one_short <= _reach(seen, other):
         return _halted(seen, met.one_short, met.other, span)
     return None
+
+
+def _reach(seen: Seen, other: Seen) -> float:
+    """m to the point where the paths meet at which its front is in the way of the other's side."""
+    return (seen.path.length + other.path.width) / 2
 
 
 def _halted(seen: Seen, short: float, passing: int, span: float) -> int | None:

@@ -18,6 +18,10 @@ Form = Callable[[str, Structure], Found | None]
 VEHICLES = ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle")
 
 
+ALREADY = "that is so already"
+"""What is said of a change that leaves S as it was, with what it would have done behind it."""
+
+
 def name_of(component: Component) -> str:
     return "ego" if component.id == "E" else f"{component.id} ({spec_of(component).name.replace('_', ' ')})"
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.ranked import ranked
-from c2s_engine.interpret.changes.refer import actions_of, objects_of, refer, spec_of
+from c2s_engine.interpret.changes.refer import actions_of, labelled, objects_of, refer, spec_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, Structure
 
@@ -48,6 +48,18 @@ def _noun_or(match: re.Match[str], component: Component, structure: Structure) -
     """One who is called by his name; the word itself where it only stands before a noun: "the oncoming truck"."""
     behind = scan.names(match.string[match.end() :])
     return match[0] if behind and behind[0].start == 1 else called_by(component, structure)
+
+
+def by_labels(plain: str, structure: Structure) -> str:
+    """The text in which those who are there are called by their nouns instead of their labels: "Unit 2", "the POV"."""
+    plain = scan.normalised(plain)
+    for span in reversed([s for s in scan.names(plain) if "label" in s.data]):
+        component = labelled(span.data["label"], structure)
+        if component is not None:
+            before = re.sub(r"\bthe $", "", plain[: span.start])
+            name = "ego" if component.id == "E" else called_by(component, structure)
+            plain = f"{before}{name}{plain[span.end :]}"
+    return plain
 
 
 def described(plain: str, structure: Structure) -> str:

@@ -4,7 +4,8 @@ import re
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes.forms import VEHICLES, Found, name_of
+from c2s_engine.interpret.changes.chosen import ORDINALS
+from c2s_engine.interpret.changes.forms import ALREADY, VEHICLES, Found, name_of
 from c2s_engine.interpret.changes.gone import gone
 from c2s_engine.interpret.changes.how_many import count_of
 from c2s_engine.interpret.changes.meant import is_there
@@ -43,7 +44,31 @@ def remove(clause: str, structure: Structure) -> Found | None:
     component = refer(rest, structure, alone=len(structure.objects) == 1)
     if component is None or component.id == "E" or not is_there(rest, component):
         return None
+    if (some := _some_of(rest, component)) is not None:
+        return some
     return gone([component], structure), f"{name_of(component)} removed"
+
+
+def _some_of(who: str, component: Component) -> Found | None:
+    """Some of those who are told of together are taken away: "one of the parked cars", "the second parked car"."""
+    spec, said = spec_of(component), re.sub(r"^(?:just|only|but) ", "", who)
+    if spec.count < 2:
+        return None
+    number = re.match(r"(?:the )?(\w+) of |(\d+|one|an?|two|three|four|five|six) ", said)
+    named = next((s for s in scan.names(said) if s.kind == "actor"), None)
+    words = said[: named.start].split() if named is not None else []
+    single = named is not None and not named.data.get("plural", False)
+    if number is not None and (number[1] or number[2]) not in ("all", "both", "each", "every"):
+        gone_now = 1 if (number[1] or "") in ORDINALS else count_of(number[1] or number[2], spec.count)
+    elif single and set(words) & {*ORDINALS, "other"}:
+        gone_now = 1
+    else:
+        return None
+    left = spec.count - gone_now
+    if left < 1:
+        return None
+    fewer = spec.model_copy(update={"count": left, "spacing": spec.spacing if left > 1 else None})
+    return [SetSpec(component=component.id, spec=fewer)], f"{name_of(component)}: {left}"
 
 
 def _without_weather(values: list[str], structure: Structure) -> Found:
@@ -67,7 +92,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
         named = [s for s in known if match.start("what") <= s.start < match.end("what")]
         if not named:
             continue
-        kind, plural = named[0].data["type"], named[0].data["plural"]
+        kind, plural = named[0].data["type"], named[0].data.get("plural", False)
         if pattern == table["how_many"] and (not objects_of(structure, kind)):
             continue
         who = match.groupdict().get("who") or ""
@@ -88,7 +113,10 @@ def retype(clause: str, structure: Structure) -> Found | None:
         count = count_of(match["what"], spec_of(component).count) if plural else 1
         if count != spec_of(component).count:
             edits.append(SetField(component=component.id, path="count", value=count))
-        noun = kind.replace("_", " ")
+        noun, called = kind.replace("_", " "), named[0].data.get("noun") or kind
+        alike = called != noun and len(edits) == 1 and _typed(spec_of(component), kind) == spec_of(component)
+        if alike and not match.groupdict().get("rest") and not re.search(table["at_rest"], match["what"]):
+            return [], f"{ALREADY}: “{called}” is the type {noun} in S, which {name_of(component)} has"
         what = f"{count} {language.plurals(noun)[0]}" if count > 1 else f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
         _besides(who, component, structure)
         if re.search(table["at_rest"], match["what"]):

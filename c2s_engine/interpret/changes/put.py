@@ -29,7 +29,6 @@ def _table() -> dict[str, Any]:
 
 def plainly(plain: str, structure: Structure) -> str:
     """A turn with each of its sentences put plainly."""
-    plain = _labelled(plain, structure)
     for find, new in _table()["before"]:
         plain = re.sub(find, new, plain)
     plain = re.sub(_table()["member"], lambda m: _member(m, structure), plain)
@@ -41,13 +40,6 @@ def plainly(plain: str, structure: Structure) -> str:
     return " ".join(
         notes.rewritten(_active(described(numbered(s, structure), structure)), rows, structure) for s in sentences
     )
-
-
-def _labelled(plain: str, structure: Structure) -> str:
-    """The text with the nouns of those who are there for their labels: "v2"."""
-    for span in reversed([s for s in scan.names(plain) if s.kind == "label"]):
-        refer(plain[span.start : span.end], structure, alone=False)
-    return plain
 
 
 def _row(structure: Structure) -> str | None:

@@ -53,8 +53,12 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
             if not names or first <= names[0].end:
                 return chosen(plain[:first], name, (), objects_of(structure, spec_of(component).type))
     for span in names:
-        if span.kind == "ego" or span.kind == "label" and span.data["label"] == "1":
+        if span.kind == "ego":
             return structure.ego
+        if "label" in span.data and (meant := labelled(span.data["label"], structure)):
+            return meant
+        if span.kind == "label":
+            return None
         found = objects_of(structure, span.data["type"])
         if span.data.get("noun") in language.words("adults"):
             found = [c for c in found if spec_of(c).type != "child"]
@@ -74,6 +78,21 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
         movers = list(structure.objects)
         return movers[0] if len(movers) == 1 else movers[-1]
     return None
+
+
+def labelled(label: str, structure: Structure) -> Component | None:
+    """Who has a label ("2" of "Unit 2", "npc 7", "pov") by the text, or by his name in the program; number 1 that
+    nobody else has is ego."""
+    named = next((c for c in structure.objects if label in _labels(c)), None)
+    return named or (structure.ego if label == "1" else None)
+
+
+def _labels(component: Component) -> set[str]:
+    """The labels by which the text tells of an object, and that of its name ("v2")."""
+    name = spec_of(component).name
+    told = [scan.normalised(link.label) for link in component.links if link.kind == "text"]
+    spans = [(s, words) for words in (name, *told) for s in scan.names(words)]
+    return {s.data["label"] for s, words in spans if "label" in s.data and (s.start, s.end) == (0, len(words))}
 
 
 def type_said(sentence: str) -> ObjectType:

@@ -7,6 +7,8 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import limits, notes, order
 from c2s_engine.interpret.changes.all_of_them import each_of_all
 from c2s_engine.interpret.changes.demands import demands, topic_of, whole
+from c2s_engine.interpret.changes.forms import ALREADY
+from c2s_engine.interpret.changes.meant import by_labels
 from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.interpret.changes.speed import walked
 from c2s_engine.interpret.changes.told import introduced
@@ -24,7 +26,7 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     edits: list[Edit] = []
     said: list[str] = []
     current = structure
-    _told, text = text, notes.text_of(text, structure)
+    text = notes.text_of(by_labels(text, structure), structure)
     before, topic = "", topic_of(text, structure)
     parts = [d for part in limits.in_order(demands(text)) for d in each_of_all(part, structure)]
     if len(parts) > 1 and not order.retype(parts[0], structure):
@@ -47,13 +49,22 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
         if found is None:
             continue
         try:
-            current = _applied(found, current)
+            after = _applied(found, current)
         except EditError:
             continue
+        if found[0] and _same(current, after):
+            found = [], f"{ALREADY} ({found[1]})"
+        current = after
         edits += found[0]
         said.append(found[1])
         topic = next((c for e in reversed(found[0]) if (c := _object(e))), topic)
     return [*edits, *described(structure, current)], said
+
+
+def _same(before: Structure, after: Structure) -> bool:
+    """Whether two S say the same, and assume the same."""
+    one, other = ([(c.id, c.spec, c.assumed) for c in s.components] for s in (before, after))
+    return one == other
 
 
 def _of_the_new(parts: list[str], structure: Structure) -> list[str]:
@@ -95,7 +106,7 @@ def _found(demand: str, structure: Structure) -> Found | None:
         denied = re.search(table["denies"], demand)
         if form is order.acting and not denied and all(_already(e, structure) for e in found[0]):
             waits = re.search(table["meanwhile"], demand)
-            return None if waits else walked(demand, structure) or ([], f"that is so already ({found[1]})")
+            return None if waits else walked(demand, structure) or ([], f"{ALREADY} ({found[1]})")
         return found
     return None
 

@@ -3,7 +3,7 @@
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes.forms import Found
+from c2s_engine.interpret.changes.forms import ALREADY, Found
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import SetField
 
@@ -17,5 +17,5 @@ def roadside(clause: str, structure: Structure) -> Found | None:
     field = next(name for name, noun in table["nouns"].items() if re.fullmatch(noun, match["what"]))
     there = not (match["without"] or match["none"])
     if getattr(structure.place.spec, field) == there:
-        return [], f"that is so already ({'a' if there else 'no'} {field})"
+        return [], f"{ALREADY} ({'a' if there else 'no'} {field})"
     return [SetField(component="R", path=field, value=there)], f"the place: {'a' if there else 'no'} {field}"

@@ -5,7 +5,7 @@ from operator import attrgetter
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.forms import Found, name_of
-from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, SetField
 
@@ -22,6 +22,8 @@ def swapped(clause: str, structure: Structure) -> Found | None:
     if one is None or other is None or one.id == other.id:
         return None
     fields = next((f for pattern, f in table["fields"] if re.search(pattern, clause)), ("placement",))
+    if not all(hasattr(c.spec, path) for c in (one, other) for path in fields):
+        return [], "ego has no place of its own that could be swapped: say where the other is to be"
     edits = [e for a, b in ((one, other), (other, one)) for path in fields if (e := _taken(a, b, path))]
     return (edits, f"{name_of(one)} and {name_of(other)} swapped") if edits else ([], "they have the same already")
 
@@ -34,6 +36,6 @@ def _only_two(clause: str, structure: Structure) -> tuple[Component | None, Comp
 
 def _taken(component: Component, other: Component, path: str) -> Edit | None:
     """The edit by which one has what the other had; who was placed by that other is placed by it no longer."""
-    value = attrgetter(path)(spec_of(other))
-    now = attrgetter(path)(spec_of(component))
+    value = attrgetter(path)(other.spec)
+    now = attrgetter(path)(component.spec)
     return None if value == now else SetField(component=component.id, path=path, value=value)

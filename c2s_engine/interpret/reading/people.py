@@ -97,5 +97,7 @@ def _span(plain: str, start: int, end: int, parts: list[str], sex: str) -> Span:
         "actor",
         start,
         end,
-        {"type": "pedestrian", "person": True, "noun": noun, "roles": [], "names": parts, "sex": sex},
+        {
+            "type": "pedestrian", "plural": False, "person": True, "noun": noun, "roles": [], "names": parts, "sex": sex
+        },
     )

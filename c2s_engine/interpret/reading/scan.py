@@ -81,7 +81,13 @@ def names(text: str, cased: list[Span] | None = None) -> list[Span]:
                 "actor",
                 match.start(),
                 match.end(),
-                {"type": "vehicle", "label": match[0].removeprefix("the "), "roles": [role] if role else []},
+                {
+                    "type": "vehicle",
+                    "plural": False,
+                    "noun": "",
+                    "label": match[0].removeprefix("the "),
+                    "roles": [role] if role else [],
+                },
             )
         )
     for match in _label().finditer(text):

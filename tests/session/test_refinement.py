@@ -55,6 +55,11 @@ async def test_a_conversation(session):
         done, told = await take(session.say(question))
         assert told and done.details["unchanged"]
         assert (session.structure.model_dump_json(), session.program.text) == before
+    _, told = await take(session.say("undo that"))
+    assert told == ["Taken back: make the lead a truck"] and session.structure.model_dump_json() == first
+    await take(session.say("what is a cut-in?"))
+    await take(session.say("redo that"))
+    assert (session.structure.model_dump_json(), session.program.text) == before
 
     done, told = await take(session.say("what if it were a motorway?", run=False))
     assert session.structure.place.spec.kind == "motorway"

@@ -181,7 +181,7 @@ class Session:
     async def redo(self) -> AsyncIterator[Any]:
         """Bring back the turn that was undone last, and with it the questions that came after it."""
         self._free()
-        turns, ahead = self._store.turns(self._thread), [c for c in reversed(self._redo)]
+        turns, ahead = self._store.turns(self._thread), self._redo[::-1]
         changes = [i for i, c in enumerate(ahead) if c in turns and self._changed(turns[c])]
         if not changes:
             raise SessionError("there is nothing to redo")

@@ -52,7 +52,7 @@ async def test_pane_keys_in_one_go_end_in_the_pane_asked_for_last(stage, monkeyp
             moved.clear()
             for key in keys_pressed:
                 stage.app.post_message(Key(key, None))
-            await stage.until(pilot, lambda: len(moved) >= len(keys_pressed))
+            await stage.until(pilot, lambda count=len(keys_pressed): len(moved) >= count)
             for _ in range(5):
                 await pilot.pause()
             assert len(moved) == len(keys_pressed), (keys_pressed, moved)

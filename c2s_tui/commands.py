@@ -7,7 +7,7 @@ from pathlib import Path
 
 from textual.binding import Binding
 
-AT_ONCE = ("quit", "chat", "sheet", "code", "find")
+AT_ONCE = ("quit", "chat", "sheet", "code", "results", "picture", "find")
 """Their keys are acted on before the keys that follow: what is typed next is meant for the pane that they go to."""
 
 

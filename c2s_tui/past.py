@@ -22,7 +22,8 @@ def turns(session: "Session") -> list[Choosable]:
     found = []
     for turn, word in reversed(marked):
         label = f"{turn.index + 1:>3}  {when(turn.when)}  {turn.text[:44]}"
-        found.append(Choosable(str(turn.index), label, f"{turn.summary[:40]}  {word}".rstrip()))
+        came = "a question" if turn.asked else turn.summary[:40]
+        found.append(Choosable(str(turn.index), label, f"{came}  {word}".rstrip()))
     return [*found, Choosable("-1", "  0  before the first turn", "" if here else "here")]
 
 

@@ -32,7 +32,6 @@ class Room(Part):
         if name == "code":
             self.bench.results.remove_class("-on")
             self.bench.query_one("#right").remove_class("-results")
-        self.bench.query_one(Tabs).active = f"tab-{name}"
         inner: dict[str, Widget] = {"chat": self.chat.entry, "code": self.bench.code.area}
         if lines := self.bench.sheet.query(Input):  # the field that is being edited
             inner["sheet"] = lines.first()
@@ -45,6 +44,9 @@ class Room(Part):
         for other in TABS:
             self.pane(other).set_class(other == name, "-current")
         self.bench.query_one("#right").set_class(COLUMNS[name] == "#right", "-current")
+        tabs = self.bench.query_one(Tabs)
+        with tabs.prevent(Tabs.TabActivated):  # tabs follow the pane; only one that the user chooses moves it
+            tabs.active = f"tab-{name}"
 
     def pane_of_focus(self) -> str | None:
         around = set(self.bench.focused.ancestors_with_self) if self.bench.focused else set()

@@ -128,7 +128,7 @@ class Turns(Part):
         if label == "undo":
             return f"undone: {self.session.undone[0].text}"
         if label in ("redo", "going back"):
-            here = self.session.history
+            here = [t for t in self.session.history if label != "redo" or not t.asked]
             return f"{'done again' if label == 'redo' else 'back to'}: {here[-1].text if here else 'the start'}"
         return ""
 
@@ -254,7 +254,7 @@ class Turns(Part):
     async def _back(self, which: str) -> None:
         if not await self.may_begin():
             return
-        if not getattr(self.session, f"can_{which}"):
+        if not await self.backend.do(lambda _: getattr(self.session, f"can_{which}")):
             self.app.notify(f"There is nothing to {which}.", markup=False)
             return
         self.turn(lambda: getattr(self.session, which)(), which)

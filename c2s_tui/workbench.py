@@ -86,7 +86,9 @@ class Workbench(Screen):
         }
 
     def compose(self) -> ComposeResult:
-        yield Tabs(*(Tab(title, id=f"tab-{name}") for name, title in TABS.items()), id="tabs")
+        tabs = Tabs(*(Tab(title, id=f"tab-{name}") for name, title in TABS.items()), id="tabs")
+        tabs.can_focus = False  # a click would take the focus from the pane that it brings
+        yield tabs
         with Columns(id="panes"):
             yield ChatPane(id="chat", classes="pane -current")
             yield SheetPane(id="sheet", classes="pane")
@@ -173,7 +175,8 @@ class Workbench(Screen):
         self.room.follow_focus()
 
     async def on_tabs_tab_activated(self, event: Tabs.TabActivated) -> None:
-        await self.room.take_tab((event.tab.id or "").removeprefix("tab-"))
+        if event.tab.id == event.tabs.active:  # else another pane was asked for since
+            await self.room.take_tab((event.tab.id or "").removeprefix("tab-"))
 
     # Commands, and what else the panes ask for.
 

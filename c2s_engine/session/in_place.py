@@ -45,8 +45,10 @@ GAP = ("placement", "gap")
 async def followed(
     before: Structure, after: Structure, writer: TypedWriter, check: CheckClient, emit: Emit
 ) -> tuple[Structure, list[ComponentId]]:
-    """The structure after edits, with code by hand changed where it can follow them; whose code that is."""
-    asked = [c.id for c in after.components if c.origin in by_hand.OWN and c.id in before and _edited(before[c.id], c)]
+    """The structure after edits, with code by hand changed where it can follow them; whose code that is. What is in
+    conflict already stays as it is until that is settled."""
+    own = [c for c in after.components if c.origin in by_hand.OWN and c.id in before]
+    asked = [c.id for c in own if _edited(before[c.id], c) and before[c.id].conflict is None]
     merging = []
     for cid in [cid for cid in asked if before[cid].origin == "by_hand"]:
         if (ours := _merged(before, after, cid, writer)) is not None:
@@ -138,9 +140,12 @@ class _Work:
         if there is None or there not in self.read:
             return
         found = changes(data(self.before[cid]), data(self.structure[cid]))
+        kept = self.structure, self.read, list(self.notes), dict(self.whole)
         done = [await self._group(cid, there, group) for group in together(found)]
-        self.whole[cid] = all(done) and by_hand.in_step(self.before, cid)
-        self.whole[cid] |= any(done) and same(data(self.read[there]), data(self.structure[cid]))
+        same_now = any(done) and same(data(self.read[there]), data(self.structure[cid]))
+        if not all(done) and not same_now:  # half a change is none: the code stays, and the conflict shows the whole
+            self.structure, self.read, self.notes, self.whole = kept
+        self.whole[cid] = all(done) and by_hand.in_step(self.before, cid) or same_now
 
     async def settings(self, chosen: MapChoice) -> None:
         """G's statements take the values that the typed writer would give them; nothing else may change."""

@@ -16,7 +16,7 @@ from c2s_engine.session.errors import SessionError, SessionInUse
 from c2s_engine.session.facade import Turns
 from c2s_engine.session.files import write_whole
 from c2s_engine.session.journal import Drafts, Journal, Pending, Unread
-from c2s_engine.session.state import State, edit_words, futile, summary
+from c2s_engine.session.state import NOTHING, State, edit_words, futile, summary
 from c2s_engine.session.store import Row, Store, TurnRow
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
@@ -47,6 +47,11 @@ class Turn:
     summary: str
     replies: tuple[str, ...] = ()
 
+    @property
+    def asked(self) -> bool:
+        """Whether it was a question: something said that changed nothing."""
+        return self.kind == "say" and self.summary == NOTHING
+
 
 class Session:
     """Made by `Sessions.open`. One turn at a time; a cancelled turn leaves everything as it was."""
@@ -58,6 +63,7 @@ class Session:
         self._journal = Journal(folder / "journal.jsonl")
         self._drafts = Drafts(folder / "drafts")
         self._running = False
+        self._same: dict[str, bool] = {}  # by checkpoint: whether its turn left S and the program as they were
         row = store.row(row.name) or row
         self._head, self._redo = row.head, list(row.redo)
         self._state = State() if self._head is None else self._glance(self._head) or self._load(self._head)
@@ -134,11 +140,12 @@ class Session:
 
     @property
     def can_undo(self) -> bool:
-        return len(self._path()) > 1
+        return self._last_change(self._path()) > 0
 
     @property
     def can_redo(self) -> bool:
-        return bool(self._redo)
+        turns = self._store.turns(self._thread)
+        return any(self._changed(turns[c]) for c in self._redo if c in turns)
 
     @property
     def pending(self) -> Pending | None:
@@ -174,20 +181,24 @@ class Session:
             self._journal.end(turn)
 
     async def undo(self) -> AsyncIterator[Any]:
-        """Undo the last turn."""
+        """Undo the last turn that changed something, and with it the questions that came after it."""
         self._free()
         path = self._path()
-        if len(path) < 2:
+        last = self._last_change(path)
+        if not last:
             raise SessionError("there is nothing to undo")
-        for event in self._go(path[-2].checkpoint, [*self._redo, path[-1].checkpoint]):
+        for event in self._go(path[last - 1].checkpoint, [*self._redo, *(t.checkpoint for t in reversed(path[last:]))]):
             yield event
 
     async def redo(self) -> AsyncIterator[Any]:
-        """Bring back the turn that was undone last."""
+        """Bring back the turn that was undone last, and with it the questions that came after it."""
         self._free()
-        if not self._redo:
+        turns, ahead = self._store.turns(self._thread), self._redo[::-1]
+        changes = [i for i, c in enumerate(ahead) if c in turns and self._changed(turns[c])]
+        if not changes:
             raise SessionError("there is nothing to redo")
-        for event in self._go(self._redo[-1], self._redo[:-1]):
+        upto = changes[1] if len(changes) > 1 else len(ahead)
+        for event in self._go(ahead[upto - 1], ahead[upto:][::-1]):
             yield event
 
     async def back_to(self, index: int) -> AsyncIterator[Any]:
@@ -264,8 +275,9 @@ class Session:
             if turn:
                 lost = unread and turn.kind == "say"
                 self._journal.end(turn, Unread(text=turn.text, when=turn.when, replies=tuple(said)) if lost else None)
-        if back == "undo" and self.can_undo:
-            yield Say(text=f"Taken back: {self._path()[-1].text}")
+        path = self._path() if back == "undo" else []
+        if last := self._last_change(path):
+            yield Say(text=f"Taken back: {path[last].text}")
         if back in ("undo", "redo"):
             async with aclosing(self.undo() if back == "undo" else self.redo()) as events:  # type: ignore[type-var]
                 async for event in events:
@@ -278,12 +290,13 @@ class Session:
         latest = self._saver.get_tuple({"configurable": {"thread_id": self._thread}})
         assert latest
         after = self._state.after(finished)
+        redo = self._redo if after.same(self._state) else []
         row = TurnRow(
             latest.config["configurable"]["checkpoint_id"], self._head, turn.kind, turn.text, turn.when,
             summary(self._state, after), said,
         )  # fmt: skip
-        self._store.add_turn(self._thread, row)
-        self._head, self._redo, self._state = row.checkpoint, [], after
+        self._store.add_turn(self._thread, row, redo)
+        self._head, self._redo, self._state = row.checkpoint, redo, after
         self._store.prune(self._thread)
         self._keep_glance()
 
@@ -304,6 +317,18 @@ class Session:
             path.append(turns[at])
             at = turns[at].parent or ""
         return path[::-1]
+
+    def _last_change(self, path: list[TurnRow]) -> int:
+        """The place on a path of the last turn that changed something; 0 where there is none after the first."""
+        return next((i for i in range(len(path) - 1, 0, -1) if self._changed(path[i])), 0)
+
+    def _changed(self, turn: TurnRow) -> bool:
+        """Whether a turn changed S or its program. Turns of earlier versions say it only roughly."""
+        if turn.summary != NOTHING or turn.parent is None:
+            return True
+        if turn.checkpoint not in self._same:
+            self._same[turn.checkpoint] = self._load(turn.checkpoint).same(self._load(turn.parent))
+        return not self._same[turn.checkpoint]
 
     def _last(self, turn: Pending) -> tuple[str, dict[str, Any]] | None:
         """What was typed in the turn before and S before that, where a turn is short enough to correct it."""

@@ -29,6 +29,8 @@ from c2s_engine.structure.values import text_of
 
 KEPT_DETAILS = ("map", "room", "folder", "places", "passages")
 """What saving the program, other runs of it and the status line need, and the passages of the last answer."""
+NOTHING = "nothing changed"
+"""The summary of a turn that left S and its program as they were: a question, say."""
 
 
 class State(BaseModel):
@@ -64,6 +66,10 @@ class State(BaseModel):
             measures=finished.measures,
             details={k: finished.details[k] for k in KEPT_DETAILS if k in finished.details},
         )
+
+    def same(self, other: "State") -> bool:
+        """Whether S and its program are those of another state: nothing to undo from one to the other."""
+        return (self.structure, self.program) == (other.structure, other.program)
 
     def finished(self) -> Finished:
         """The event that tells a front to show this."""
@@ -118,7 +124,7 @@ def summary(before: State, after: State) -> str:
     failed = next((s.name for s in after.stages if not s.ok), "")
     if failed and after != before:
         parts.append(f"{failed} fails")
-    return "; ".join(parts) or "nothing changed"
+    return "; ".join(parts) or (NOTHING if after.same(before) else "other words")
 
 
 def edit_words(edit: Edit) -> str:

@@ -146,15 +146,18 @@ class Store:
             for c, parent, kind, text, at, told, r in found
         }
 
-    def add_turn(self, thread: str, turn: TurnRow) -> None:
-        """A turn, and the head on it; nothing is left to redo."""
+    def add_turn(self, thread: str, turn: TurnRow, redo: Sequence[str] = ()) -> None:
+        """A turn, and the head on it. What redo would still bring back comes after it: it changed nothing."""
         with self.transaction() as db:
             db.execute(
                 "INSERT OR REPLACE INTO turns VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
                 (thread, turn.checkpoint, turn.parent, turn.kind, turn.text, turn.when, turn.summary,
                  json.dumps(turn.replies)),
             )  # fmt: skip
-            self._move(db, thread, turn.checkpoint, ())
+            self._move(db, thread, turn.checkpoint, redo)
+            if redo:
+                where = "WHERE thread = ? AND checkpoint_id = ?"
+                db.execute(f"UPDATE turns SET parent = ? {where}", (turn.checkpoint, thread, redo[-1]))
 
     def move(self, thread: str, head: str, redo: Sequence[str]) -> None:
         """Undo or redo: another head."""

@@ -6,6 +6,7 @@ from contextlib import aclosing
 from typing import Any
 
 from c2s_engine.retrieve.provenance import whose
+from c2s_engine.session.as_run import as_run
 from c2s_engine.session.asked import HELP, answered, wants_help
 from c2s_engine.session.citing import description_of, kept, tells_scenario, wanted
 from c2s_engine.session.facade import Facade
@@ -124,7 +125,7 @@ async def _events(
         yield _Next("question")
         return
     turn: Any = None
-    async with aclosing(streamed(lambda emit: _routed(engine, text, structure, method, last, emit))) as routing:
+    async with aclosing(streamed(lambda emit: _routed(engine, text, structure, method, last, shown, emit))) as routing:
         async for event in routing:
             if isinstance(event, Result):
                 turn = event.value
@@ -161,10 +162,12 @@ async def _routed(
     structure: Structure | None,
     method: str,
     last: tuple[str, Structure] | None,
+    shown: Finished | None,
     emit: Emit,
 ) -> Any:
     """How the turn is taken: by the model where the method has one, else by the embedded routing."""
-    plain = await route(text, structure, engine.tools, last)
+    facts = next(iter(shown.facts), None) if shown is not None and shown.structure == structure else None
+    plain = await route(text, as_run(structure, facts) if structure is not None else None, engine.tools, last)
     if structure is None or plain.corrects or not uses_model(engine, method):
         return plain
     from c2s_engine.interpret import EmbeddedInterpreter

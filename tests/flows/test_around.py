@@ -1,12 +1,15 @@
 """Around the panes: the row of keys, zoom, room, find, findings, turns and sessions as lists."""
 
+from random import Random
+
 import pytest
 from textual.events import Key
-from textual.widgets import OptionList
+from textual.widgets import OptionList, Tabs
 
 from c2s_tui.code.finder import found
 from c2s_tui.columns import Columns
 from c2s_tui.keys import row, written
+from c2s_tui.room import TABS
 
 
 def keys(stage) -> str:
@@ -34,6 +37,36 @@ async def test_the_row_of_keys_keeps_to_its_width_and_to_remapped_keys(stage):
             words = row(focused, keymap, width)
             assert words.cell_length <= width and words.plain.startswith("F12 help")
     assert written("ctrl+t,left_square_bracket,K,pageup") == "Ctrl+T, [, K, Pageup"
+
+
+async def test_pane_keys_in_one_go_end_in_the_pane_asked_for_last(stage, monkeypatch):
+    """However many come before the app has done any: each moves once, and pane, tab and focus agree in the end."""
+    orders, draw = [["f3", "f4"], ["f4", "f3", "f4"], ["f6", "f3"], ["f9", "f2"]], Random(7)
+    orders += [draw.choices(["f2", "f3", "f4", "f6", "f9"], k=draw.randint(2, 6)) for _ in range(12)]
+    last = {"f2": "chat", "f3": "sheet", "f4": "code"}
+    async with stage.described(size=(80, 24)) as pilot:
+        room, moved = stage.bench.room, []
+        go_to = room.go_to
+        monkeypatch.setattr(room, "go_to", lambda name: (moved.append(name), go_to(name)))
+        for keys_pressed in orders:
+            moved.clear()
+            for key in keys_pressed:
+                stage.app.post_message(Key(key, None))
+            await stage.until(pilot, lambda count=len(keys_pressed): len(moved) >= count)
+            for _ in range(5):
+                await pilot.pause()
+            assert len(moved) == len(keys_pressed), (keys_pressed, moved)
+            current = last.get(keys_pressed[-1], moved[-1])
+            assert room.current_pane == room.pane_of_focus() == current, (keys_pressed, moved)
+            assert stage.bench.query_one(Tabs).active == f"tab-{current}"
+
+
+async def test_a_tab_that_is_clicked_brings_its_pane(stage):
+    async with stage.described(size=(80, 24)) as pilot:
+        for name in [*TABS, "chat"]:
+            await pilot.click(f"#tab-{name}")
+            await stage.until(pilot, lambda name=name: stage.bench.room.current_pane == name)
+            await stage.until(pilot, lambda name=name: stage.bench.room.pane_of_focus() == name)
 
 
 async def test_zoom_shows_the_focused_pane_alone(stage):

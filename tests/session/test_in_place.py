@@ -209,14 +209,15 @@ async def test_a_class_that_the_world_model_lacks_is_not_written(engine):
     assert done.structure["O1"].conflict
 
 
-async def test_what_can_be_followed_is_and_the_rest_is_offered(engine):
+async def test_what_cannot_be_followed_whole_is_offered_whole(engine):
     structure = await engine.import_program(FOLLOWED)
     asked = edits(("O2", "speed", 12), ("O2", "count", 2))
     done, said, _ = await ended(engine.apply(structure, asked, run=False))
-    assert done.program.text == FOLLOWED.replace("LEAD_SPEED = 10", "LEAD_SPEED = 12")
-    assert done.structure["O2"].conflict and "LEAD_SPEED = 10 -> 12" in said
+    assert done.program.text == FOLLOWED and done.structure["O2"].conflict
+    assert "changed in the code" not in said and "O2: your code is kept" in said
     done, said, _ = await ended(engine.apply(done.structure, edits(("O2", "placement.gap", 10.4)), run=False))
-    assert "GAP = 15" in done.program.text and done.structure["O2"].conflict, "two are still asked for"
+    assert done.program.text == FOLLOWED and done.structure["O2"].conflict, "it is in conflict still"
+    assert "changed in the code" not in said
 
 
 async def test_a_gap_that_only_a_requirement_tells_follows_it(engine):

@@ -127,8 +127,13 @@ class Editing(RuleBasedStateMachine):
             assert self.session.pending is None
         rewritten = events[-1].details["rewritten"]
         assert set(rewritten) <= allowed, (edit, rewritten, allowed)
-        self.past.append(self.whole())
-        self.future = []
+        self.changed()
+
+    def changed(self):
+        """A turn was done: one that changed something can be undone, and is what is left of the future."""
+        if self.whole() != self.past[-1]:
+            self.past.append(self.whole())
+            self.future = []
 
     @rule(spec=specs())
     @precondition(lambda self: len(self.session.structure.objects) < 4)
@@ -166,8 +171,7 @@ class Editing(RuleBasedStateMachine):
         before = self.whole()
         self.take(self.session.regenerate(chosen))
         assert before == self.whole() or not before[1].count("##")
-        self.past.append(self.whole())
-        self.future = []
+        self.changed()
 
     @rule()
     @precondition(lambda self: len(self.past) > 1)

@@ -105,8 +105,9 @@ class Describing(RuleBasedStateMachine):
         for cid in written:
             read = {*keys.reads(after, cid), *(keys.reads(before, cid) if cid in before else ())}
             assert cid in touched or read & {*written, *touched, edit_component(edit)}, (edit, cid, written)
-        self.past.append(self.session.program.text)
-        self.future = []
+        if self.session.structure != before:
+            self.past.append(self.session.program.text)
+            self.future = []
 
     @rule(sentence=SENTENCES)
     @precondition(lambda self: len(self.session.structure.objects) < 4)

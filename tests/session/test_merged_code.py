@@ -59,6 +59,16 @@ async def test_another_type_keeps_the_name_that_code_by_hand_uses(session):
     assert "Uniform(*CARS)" not in bus.code and "the_car" in session.structure["E"].code
 
 
+async def test_code_in_conflict_stays_as_it_is(session):
+    """Another type asks for another speed, too, which code that was changed there cannot take."""
+    await by_hand(session, "O1", ("THE_CAR_SPEED = 13.89", "THE_CAR_SPEED = EGO_SPEED + 5.5"), REMARK)
+    was = session.structure["O1"].code
+    said = await done(session.say("make the lead car a pedestrian", run=False))
+    now = session.structure["O1"]
+    assert now.spec.type == "pedestrian" and now.code == was and now.conflict
+    assert "your code is kept" in said and "changed in the code" not in said
+
+
 async def test_a_number_beside_other_changes_is_read_into_s(session):
     told = await by_hand(session, "E", REMARK, ("EGO_SPEED = 8.33", "EGO_SPEED = 5.0"))
     ego = session.structure["E"]

@@ -55,6 +55,11 @@ async def test_a_conversation(session):
         done, told = await take(session.say(question))
         assert told and done.details["unchanged"]
         assert (session.structure.model_dump_json(), session.program.text) == before
+    _, told = await take(session.say("undo that"))
+    assert told == ["Taken back: make the lead a truck"] and session.structure.model_dump_json() == first
+    await take(session.say("what is a cut-in?"))
+    await take(session.say("redo that"))
+    assert (session.structure.model_dump_json(), session.program.text) == before
 
     done, told = await take(session.say("what if it were a motorway?", run=False))
     assert session.structure.place.spec.kind == "motorway"
@@ -64,6 +69,25 @@ async def test_a_conversation(session):
         done, told = await take(session.say(nonsense, run=False))
         assert any("did not understand" in t or "English" in t for t in told)
     assert len(session.history) == turns, "what came to nothing is no turn"
+
+
+async def test_a_relative_change_counts_from_what_is_there(engine, tmp_path):
+    """S says neither the gap nor ego's speed: the run's count."""
+    sessions = Sessions(tmp_path / "sessions")
+    session = sessions.open("one", engine)
+    done, _ = await take(session.say("Ego drives on a road. A cyclist rides out from the right in front of ego."))
+    cyclist = next(o for o in done.facts[0].objects if o.component == "O1")
+    gap = round(cyclist.starts["ego"].gap, 1)
+    assert session.structure["O1"].amount("placement.gap") is None and gap > 26
+    _, told = await take(session.say("the cyclist should be 5 m closer", run=False))
+    assert f"O1 (cyclist): gap {gap:.3g} m -> {gap - 5:.3g} m" in told
+    assert session.structure["O1"].spec.placement.gap == pytest.approx(gap - 5)
+    held = next(o for o in done.facts[0].objects if o.name == "ego").held_speed
+    base = session.structure.ego.amount("speed") or held
+    _, told = await take(session.say("ego 5 km/h faster", run=False))
+    assert f"ego: speed {base * 3.6:.3g} km/h -> {base * 3.6 + 5:.3g} km/h" in told
+    session.close()
+    sessions.close()
 
 
 async def test_undo_with_nothing_to_take_back_is_one_sentence(engine, tmp_path):

@@ -54,21 +54,77 @@ async def test_a_turn_is_durable_when_its_end_is_told(sessions, tmp_path):
 async def test_undo_and_redo_restore_byte_for_byte(sessions):
     session = sessions.open("one", FakeEngine())
     states = [whole(session)]
-    for text in ("car", "truck", "what?", "bus"):
+    for text in ("car", "truck", "bus"):
         await take(session.say(text))
         states.append(whole(session))
-    for k in range(3, -1, -1):
+    for k in range(2, -1, -1):
         assert session.can_undo
         events = await take(session.undo())
         assert whole(session) == states[k] and isinstance(events[-1], Finished)
     assert not session.can_undo and session.history == []
     with pytest.raises(SessionError, match="nothing to undo"):
         await take(session.undo())
-    for k in range(1, 5):
+    for k in range(1, 4):
         events = await take(session.redo())
         assert whole(session) == states[k]
     rewritten = next(e for e in events if isinstance(e, ProgramChanged)).rewritten
     assert rewritten == ("O3",) and not session.can_redo
+    with pytest.raises(SessionError, match="nothing to redo"):
+        await take(session.redo())
+
+
+def texts(turns):
+    return [t.text for t in turns]
+
+
+async def test_undo_and_redo_pass_over_questions(sessions):
+    session = sessions.open("one", FakeEngine())
+    states = [whole(session)]
+    for text in ("car", "who?", "truck", "what?", "why?"):
+        await take(session.say(text))
+        states.append(whole(session))
+    assert [t.asked for t in session.history] == [False, True, False, True, True]
+    for left in (["car", "who?"], []):
+        await take(session.undo())
+        assert texts(session.history) == left and whole(session) == states[len(left)]
+    assert not session.can_undo
+    for back in (["car", "who?"], ["car", "who?", "truck", "what?", "why?"]):
+        await take(session.redo())
+        assert texts(session.history) == back and whole(session) == states[len(back)]
+    assert not session.can_redo
+
+
+async def test_a_question_leaves_what_can_be_redone(sessions):
+    session = sessions.open("one", FakeEngine())
+    for text in ("car", "truck", "bus"):
+        await take(session.say(text))
+    states = [whole(session)]
+    for _ in range(2):
+        await take(session.undo())
+        states.append(whole(session))
+        await take(session.say("what?"))
+        assert whole(session) == states[-1] and session.can_redo
+    session.close()
+    session = sessions.open("one", FakeEngine())
+    assert texts([*session.history, *session.undone]) == ["car", "what?", "truck", "what?", "bus"]
+    for state in states[-2::-1]:
+        await take(session.redo())
+        assert whole(session) == state
+    assert texts(session.history) == ["car", "what?", "truck", "what?", "bus"] and not session.can_redo
+    await take(session.back_to(0))
+    await take(session.say("van"))
+    assert texts(session.history) == ["car", "van"] and not session.can_redo
+
+
+async def test_only_a_question_was_undone_by_an_earlier_version(sessions):
+    session = sessions.open("one", FakeEngine())
+    for text in ("car", "what?"):
+        await take(session.say(text))
+    path = session._path()
+    session._store.move(session._thread, path[-2].checkpoint, [path[-1].checkpoint])
+    session.close()
+    session = sessions.open("one", FakeEngine())
+    assert session.can_undo and not session.can_redo
     with pytest.raises(SessionError, match="nothing to redo"):
         await take(session.redo())
 
@@ -265,7 +321,7 @@ async def test_export_and_import_as_one_file(sessions, tmp_path):
     assert elsewhere.import_file(tmp_path / "one.c2s") == "one 2"
     copy = elsewhere.open("one 2", FakeEngine())
     assert copy.history == session.history and whole(copy) == states[-1]
-    for k in (2, 1, 0):
+    for k in (2, 0):  # over the question
         await take(copy.undo())
         assert whole(copy) == states[k]
     (tmp_path / "other.json").write_text('{"format": "something"}')
@@ -277,7 +333,7 @@ async def test_the_database_is_bounded(sessions, tmp_path, monkeypatch):
     monkeypatch.setattr(session_store.Store.prune, "__defaults__", (5,))
     session = sessions.open("one", FakeEngine())
     for k in range(12):
-        await take(session.apply([], seed=k))
+        await take(session.apply(SetField(component="E", path="speed", value=1.0 + k)))
     counts = {}
     with sqlite3.connect(tmp_path / "sessions" / "sessions.sqlite") as db:
         for table in ("turns", "checkpoints", "writes"):

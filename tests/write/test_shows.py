@@ -60,3 +60,25 @@ async def test_a_limit_that_no_road_has_is_posted_by_the_program(engine):
     done = await shown(engine, {"R": {"kind": "straight", "speed_limit": 17.9}})
     assert "param speed_limit = 64" in done.program.text
     assert 64 in done.facts[0].speed_limits_kmh
+
+
+@pytest.mark.parametrize(
+    ("side", "said", "between"),
+    [("right", {}, True), ("left", {}, True), ("right", {"of": "O1", "along": "ahead"}, False)],
+)
+async def test_one_whom_a_row_hides_comes_out_between_its_last_two(engine, side, said, between):
+    """Unless S says that it stands beyond them."""
+    row = {"name": "row", "count": 3, "placement": {"position": "parked", "along": "ahead", "side": side}, "speed": 0}
+    child = {"type": "child", "placement": {"position": "roadside", "side": side, "hidden_by": "O1", **said}}
+    phases = [{"action": "cross_road"}]
+    case = {
+        "R": {"kind": "road"}, "E": {"speed": 11.1, "reaction": "brake", "hard": True},
+        "O": [{**row, "phases": [{"action": "stationary"}]}, {"name": "child", **child, "phases": phases}],
+    }  # fmt: skip
+    done = await shown(engine, case)
+    things = {o.name: o for o in done.facts[0].objects}
+    middle, last, own = (things[n].starts["ego"].gap for n in ("row[1]", "row[2]", "child"))
+    assert (middle + things["row[1]"].length - 0.3 < own < last) == between
+    assert (own > last + things["row[2]"].length - 0.3) != between
+    assert "row[1]" in things["child"].hidden_behind and things["child"].shows("cross_road")
+    assert not done.facts[0].contacts

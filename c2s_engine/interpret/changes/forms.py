@@ -8,6 +8,7 @@ from c2s_engine.interpret.changes.refer import spec_of
 from c2s_engine.interpret.reading import amounts
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit
+from c2s_engine.structure.quantity import middle
 
 Found = tuple[list[Edit], str]
 
@@ -40,6 +41,20 @@ def quantity_of(clause: str, dimension: str) -> dict[str, Any] | None:
 def value_of(quantity: dict[str, Any]) -> Any:
     low, high = round(quantity["low"], 2), round(quantity["high"], 2)
     return low if low == high else [low, high]
+
+
+def base_of(component: Component, path: str, usual: float) -> tuple[float, bool]:
+    """From what a relative change of a field counts, and whether that is what is there: S's own number, the one that
+    the writer chose or the run showed; else the usual one."""
+    now = component.amount(path)
+    return (middle(now), True) if now is not None else (usual, False)
+
+
+def from_to(field: str, base: tuple[float, bool], value: float, unit: str, scale: float = 1.0) -> str:
+    """A relative change in words, with what it counts from."""
+    old, known = base
+    said = f"{old * scale:.3g} {unit}" if known else f"{old * scale:.3g} {unit} (usual; none is said or was run)"
+    return f"{field} {said} -> {value * scale:.3g} {unit}"
 
 
 def without_unit(clause: str, patterns: list[str], factor: float) -> dict[str, Any] | None:

@@ -4,7 +4,7 @@ import re
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes.forms import Found, name_of, quantity_of, value_of
+from c2s_engine.interpret.changes.forms import Found, base_of, from_to, name_of, quantity_of, value_of
 from c2s_engine.interpret.changes.refer import refer, spec_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.surroundings import environment
@@ -44,17 +44,17 @@ def distance(clause: str, structure: Structure) -> Found | None:
     if quantity is not None and not re.search(_table()["so_much_further"], clause):
         relative = wider = None  # a distance to have, not one more or less
     factor = _by_a_share(clause, relative or wider)
-    now = component.amount("placement.gap")
-    base = middle(now) if now is not None else 25.0
-    value: Any
-    if quantity is None:
-        value = round(max(2.0, base * (factor or 1.0)), 1)
-    elif factor is None:
+    if quantity is not None and factor is None:
         value = value_of(quantity)
+        words = f"gap {value if isinstance(value, list) else f'{value:g}'} m"
     else:
-        value = round(max(2.0, base + quantity["low"] * (1 if factor > 1 else -1)), 1)
+        base = base_of(component, "placement.gap", 25.0)
+        times = factor or 1.0
+        more = base[0] * times if quantity is None else base[0] + quantity["low"] * (1 if times > 1 else -1)
+        value = round(max(2.0, more), 1)
+        words = from_to("gap", base, value, "m")
     edit = SetField(component=component.id, path="placement.gap", value=value)
-    return [edit], f"{name_of(component)}: gap {value if isinstance(value, list) else f'{value:g}'} m"
+    return [edit], f"{name_of(component)}: {words}"
 
 
 def _factor(clause: str, rows: str) -> float | None:
@@ -168,21 +168,19 @@ def rate(clause: str, structure: Structure) -> Found | None:
         return None
     goal = quantity_of(clause, "speed") if re.search(r"\bto (?:about |around )?\d", clause) else None
     reached: dict[str, Any] = {"speed": value_of(goal)} if goal else {}
-    phases = tuple(
-        p.model_copy(update={"rate": value_of(wanted) if wanted else _times(p, change or 1.0), **reached})
-        if p.action in actions
-        else p
-        for p in _phases(component)
-    )
-    shown = next(p.rate for p in phases if p.action in actions)
-    edit = SetField(component=component.id, path="phases", value=phases)
-    return [edit], f"{name_of(component)}: {middle(shown or 0.0):.1f} m/s2"
+    usual = float(language.table("defaults")["rates"]["soft"]["value"])
+    phases, words = [], ""
+    for number, phase in enumerate(_phases(component)):
+        if phase.action in actions:
+            base = base_of(component, f"phases.{number}.rate", usual)
+            value = value_of(wanted) if wanted else round(min(9.0, max(0.5, base[0] * (change or 1.0))), 2)
+            said = f"{middle(value):.1f} m/s2" if wanted else from_to("rate", base, value, "m/s2")
+            words = words or said
+            phase = phase.model_copy(update={"rate": value, **reached})
+        phases.append(phase)
+    edit = SetField(component=component.id, path="phases", value=tuple(phases))
+    return [edit], f"{name_of(component)}: {words}"
 
 
 def _phases(component: Component) -> tuple[Phase, ...]:
     return component.spec.phases if isinstance(component.spec, EgoSpec | ObjectSpec) else ()
-
-
-def _times(phase: Phase, factor: float) -> float:
-    usual = float(language.table("defaults")["rates"]["soft"]["value"])
-    return round(min(9.0, max(0.5, (middle(phase.rate) if phase.rate else usual) * factor)), 2)

@@ -4,7 +4,7 @@ import re
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes.forms import Found, name_of, quantity_of, value_of, without_unit
+from c2s_engine.interpret.changes.forms import Found, base_of, from_to, name_of, quantity_of, value_of, without_unit
 from c2s_engine.interpret.changes.refer import refer, spec_of
 from c2s_engine.interpret.entities import PERSONS
 from c2s_engine.structure.components import Component, Structure
@@ -122,18 +122,18 @@ def _at_speed(
     component: Component, quantity: dict[str, Any] | None, change: float | None, base: Component | None
 ) -> tuple[Edit, str]:
     """One component at a speed, or changed from its own or another's (`base`)."""
-    speed = (component if base is None else base).amount("speed")
-    now = middle(speed) if speed is not None else 10.0
     value: Any
-    if quantity is None:
-        value = round(max(0.5, now * (change or 1.0)), 2)
-    elif change is None:
+    if quantity is not None and change is None:
         value = value_of(quantity)
+        words = f" at {middle(value) * 3.6:.0f} km/h"
     else:
-        value = round(max(0.5, now - quantity["low"] if change < 1 else now + quantity["low"]), 2)
-    shown = value if isinstance(value, float | int) else sum(value) / 2
+        now = base_of(component if base is None else base, "speed", 10.0)
+        times = change or 1.0
+        more = now[0] * times if quantity is None else now[0] + quantity["low"] * (-1 if times < 1 else 1)
+        value = round(max(0.5, more), 2)
+        words = f": {from_to('speed', now, value, 'km/h', 3.6)}" if base is None else f" at {value * 3.6:.0f} km/h"
     edit = SetField(component=component.id, path="speed", value=value)
-    return edit, f"{name_of(component)} at {shown * 3.6:.0f} km/h"
+    return edit, f"{name_of(component)}{words}"
 
 
 def walked(clause: str, structure: Structure) -> Found | None:

@@ -28,7 +28,8 @@ FACES_EGO = {"oncoming_lane", "opposite_approach"}
 
 def hidden(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
     """Right behind what hides it, as ego sees it: at its front, or at the tail of what faces ego; one who crosses
-    before what stands in a lane is just out of that lane, or beside the road where that is the next lane."""
+    before what stands in a lane is just out of that lane, or beside the road where that is the next lane. One who
+    comes from a row stands between its last two (`stations.between`)."""
     by = spec.placement.hidden_by or "ego"
     if crosses(spec) and _spec(structure, by).placement.position in ("left_lane", "right_lane"):
         return beside_road(structure, cid, spec, plan)
@@ -40,6 +41,10 @@ def hidden(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot
         beyond = member(spec, f"{hider}.length / 2 + {scope.number(RIGHT_BEHIND + LENGTH[spec.type] / 2)}")
         sideways = scope.number(-off if left == front else off)
         where = f"at {hider} offset by {sideways} @ {'' if front else '-'}({beyond})"
+    elif stations.between(structure, spec):
+        deep, short = _deep(structure, cid, by, plan), -stations.past_last(structure, spec)
+        sideways = scope.number(deep if left == front else -deep)
+        where = f"at {hider} offset by {sideways} @ {'-' if front else ''}{scope.number(short)}"
     elif deep := _deep(structure, cid, by, plan):  # near its face
         beyond = member(spec, f"{hider}.length / 2 + {scope.number(RIGHT_BEHIND + LENGTH[spec.type] / 2)}")
         sideways = scope.number(deep if left == front else -deep)
@@ -122,6 +127,8 @@ def standing(structure: Structure) -> Structure:
         if spec is not component.spec:
             structure = structure.with_spec(component.id, spec)
         first, beyond = _row_of(structure, component.id)
+        if stations.between(structure, who):
+            beyond += stations.past_last(structure, who) - LENGTH[spec.type] / 2
         if spec.placement.position in MOVES_OFF_ROAD and first.spec.placement.gap is None:  # type: ignore[union-attr]
             gap = max(float(round(least - beyond)), NOSE_TO_TAIL)
             placed = first.spec.placement.model_copy(update={"gap": gap})  # type: ignore[union-attr]

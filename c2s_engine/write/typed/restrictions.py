@@ -2,7 +2,7 @@
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import Condition, ObjectSpec, RestrictionsSpec
-from c2s_engine.write.typed import scope
+from c2s_engine.write.typed import scope, stations
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.threats import observed
 
@@ -29,10 +29,12 @@ def write_restrictions(structure: Structure, plan: Plan) -> str:
 
 
 def _hiding(structure: Structure, c: Condition) -> str:
-    """What hides the one that ego is not to see, where S says what does: of a row the last; "": nothing."""
+    """What hides the one that ego is not to see, where S says what does: of a row one; "": nothing."""
     seen = structure[c.other].spec if c.kind == "not_visible" and c.subject == "ego" and c.other else None
     by = seen.placement.hidden_by if isinstance(seen, ObjectSpec) else None
-    return scope.reference(structure, by).replace("[0]", "[-1]") if by else ""
+    if by is None or not isinstance(seen, ObjectSpec):
+        return ""
+    return scope.reference(structure, by).replace("[0]", stations.hiding_member(structure, seen))
 
 
 def _done(structure: Structure, c: Condition) -> str:

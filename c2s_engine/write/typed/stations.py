@@ -216,8 +216,32 @@ def from_hider(structure: Structure, of: str) -> float:
         return 0.0
     by = structure[spec.placement.hidden_by or "ego"].spec
     assert isinstance(by, ObjectSpec)
-    away = (LENGTH[by.type] + LENGTH[spec.type]) / 2 + RIGHT_BEHIND
-    return away + (by.count - 1) * row_step(by)
+    return past_last(structure, spec) + (by.count - 1) * row_step(by)
+
+
+def between(structure: Structure, spec: ObjectSpec) -> bool:
+    """Whether one whom a row beside the road hides comes out from the gap between its last two: on foot, over ego's
+    road, and placed by nobody."""
+    by = structure[spec.placement.hidden_by].spec if right_behind(spec) else None  # type: ignore[index]
+    if not isinstance(by, ObjectSpec) or not is_walker(spec.type) or not crosses(spec) or spec.count > 1:
+        return False
+    row = by.count > 1 and is_vehicle(by.type) and by.placement.position in MOVES_OFF_ROAD and along(by) >= 0
+    alone = spec.placement.of == "ego" and spec.placement.gap is None
+    return row and alone and row_step(by) - extent(by) >= WIDTH[spec.type]
+
+
+def past_last(structure: Structure, spec: ObjectSpec) -> float:
+    """How far along the road one stands of the middle of the last of those that hide it (below 0: short of it)."""
+    by = structure[spec.placement.hidden_by or "ego"].spec
+    assert isinstance(by, ObjectSpec)
+    if between(structure, spec):
+        return -row_step(by) / 2
+    return (LENGTH[by.type] + LENGTH[spec.type]) / 2 + RIGHT_BEHIND
+
+
+def hiding_member(structure: Structure, spec: ObjectSpec) -> str:
+    """Which member of a row hides one from ego, as its index: the last, or the one before where it stands between."""
+    return "[-2]" if between(structure, spec) else "[-1]"
 
 
 def from_door(structure: Structure, spec: ObjectSpec) -> float:

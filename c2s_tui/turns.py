@@ -71,8 +71,7 @@ class Turns(Part):
             finally:
                 self.working = self.said = ""
                 if not finished:
-                    now = self.session
-                    self.desk = desks.broken_off(self.desk, now.structure, now.program)
+                    self.desk = desks.broken_off(self.desk, self.session)
                 else:
                     self.waiting = ()
                 self.bench.show()

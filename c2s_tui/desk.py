@@ -112,9 +112,12 @@ def opened(structure: Structure, program: Program) -> Desk:
     return Desk(structure=structure, program=program, before=program.text)
 
 
-def broken_off(desk: Desk, structure: Structure, program: Program) -> Desk:
-    """A turn was cancelled: S and program are those from before it."""
-    return replace(desk, structure=structure, program=program, before=program.text, states={}, running=None)
+def broken_off(desk: Desk, session: "Session") -> Desk:
+    """A turn was cancelled: S and program are those from before it, and the verdicts on them, where it had begun with
+    its own."""
+    now, program = session.structure, session.program
+    desk = replace(desk, structure=now, program=program, before=program.text, states={}, running=None)
+    return desk if desk.stale else replace(restored(desk, session), trajectories=(), gaps={}, seconds=0.0)
 
 
 def step(desk: Desk, event: Progress) -> Desk:

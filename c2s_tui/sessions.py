@@ -71,6 +71,8 @@ class Sessions(Part):
             await self.chat.note(turn.text, "user" if turn.kind == "say" else "note")
             for reply in turn.replies:
                 await self.chat.note(reply, "say")
+            if not turn.asked:
+                await self.chat.note(turn.summary[:1].upper() + turn.summary[1:])
         await self._recover(session)
 
     async def _opened(self, name: str) -> "Session":

@@ -71,9 +71,7 @@ class Turns(Part):
             finally:
                 self.working = self.said = ""
                 if not finished:
-                    now = self.session
-                    self.desk = desks.broken_off(self.desk, now.structure, now.program)
-                    self.desk = desks.as_it_was(self.desk, now)
+                    self.desk = desks.as_it_was(desks.broken_off(self.desk, self.session), self.session)
                 else:
                     self.waiting = ()
                 self.bench.show()

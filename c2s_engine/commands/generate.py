@@ -88,6 +88,8 @@ def exit_code(done: Finished) -> int:
         return NO_SERVICE
     if any(d.stage == "interpret" and d.code == "text" for d in done.diagnostics):
         return BAD_INPUT
+    if any(d.code == "unknown-map" for d in done.diagnostics):
+        return BAD_INPUT
     if done.details.get("turn") == "edit" and done.details.get("unchanged"):
         return BAD_INPUT if done.ok else REFUSED
     return OK if done.ok else REFUSED
@@ -102,7 +104,7 @@ async def _generate(
     settings = load_settings(model=model)
     words, method = len(text.split()), options["method"] or settings.method
     if not quiet:
-        err.print(Text(f"c2s: {words} words, method {method}", style="dim"))
+        err.print(Text(f"c2s: {words} word{'s' * (words != 1)}, method {method}", style="dim"))
     with err.status("starting") if not quiet and err.is_terminal else _quiet() as status:
         idle: asyncio.Task[Any] | None = None
         async with Engine(settings) as engine:

@@ -8,6 +8,7 @@ import re
 import shutil
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import Path
 
 from c2s_engine import paths
@@ -20,6 +21,8 @@ _CONTENT = [f"{root}CarlaUE4/Content/*/Maps/" for root in ("", "Unreal/")]
 CARLA_FOLDERS = ("", "OpenDrive/", *(f"{maps}{town}OpenDrive/" for maps in _CONTENT for town in ("", "*/")))
 """Where maps are below CARLA's root: a release, a build from source, towns and packages with folders of their own."""
 CARLA_TOWN = re.compile(r"Town[0-9]{2}[A-Za-z_]*")
+CARLA_TOWNS = (*(f"Town{n:02}" for n in range(1, 8)), "Town10HD", "Town11", "Town12", "Town13", "Town15")
+"""The towns that CARLA has; some of them also with _Opt behind their name."""
 
 
 class MapNotFound(LookupError):
@@ -72,8 +75,10 @@ class MapLibrary:
                 return self._map_file(known, path)
         if text.lower().endswith(EXTENSION) or os.sep in text:
             return self._at_path(text, files)
-        hint = ""
-        if CARLA_TOWN.fullmatch(text) and not self.carla_root:
+        towns = {town.lower(): town for town in (*CARLA_TOWNS, *files)}
+        near = [towns[n] for n in get_close_matches(text.lower(), towns, 3, 0.6)]
+        hint = f" Did you mean {', '.join(near)}?" if near else ""
+        if text.removesuffix("_Opt") in CARLA_TOWNS and not self.carla_root:
             hint = " It is one of CARLA's: set CARLA_ROOT to the folder where CARLA is installed."
         raise MapNotFound(f"There is no map named {text}. Known maps: {', '.join(files)}.{hint}")
 

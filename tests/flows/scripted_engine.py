@@ -154,7 +154,7 @@ class ScriptedEngine:
 
     scripts: dict[str, Script] = field(default_factory=dict)
     gate: asyncio.Event | None = None
-    gated_at: str = ""  # "say" or "write"
+    gated_at: str = ""  # "say", "write" or "run"
     broken_code: str = "VanBehaviour"  # a program that contains it does not compile
     passages: list[Passage] = field(default_factory=list)
     calls: list[tuple[str, Any]] = field(default_factory=list)
@@ -218,6 +218,7 @@ class ScriptedEngine:
             facts = report.facts
             requirements, results = self._judged(done, report)
             yield RunDone(facts=facts[0], trajectories=report.trajectories[0])
+        await self._wait("run")
         yield Finished(
             ok=report.ok, structure=done, program=program, stages=(StageResult(name="write", ok=True), *report.stages),
             facts=facts, requirements=requirements, results=results,

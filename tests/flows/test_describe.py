@@ -4,6 +4,7 @@ import threading
 
 from scripted_engine import CUT_IN, Script
 
+from c2s_engine.structure.edits import SetField
 from c2s_engine.structure.progress import Passage, Token
 
 
@@ -93,6 +94,39 @@ def test_escape_cancels_and_keeps_what_is_typed(stage, compare):
         stage.engine.gate.set()
 
     assert compare(flow)
+
+
+async def test_after_a_cancelled_turn_the_status_is_that_of_the_program_shown(stage):
+    """Nothing where there is none; else its stages and what was required and seen."""
+
+    def status():
+        return stage.bench.query_one("#status").content.plain
+
+    def ran():
+        return not stage.bench.desk.stale and any(s.name == "run" for s in stage.bench.desk.stages)
+
+    stage.engine.gate, stage.engine.gated_at = threading.Event(), "run"
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, CUT_IN, wait=False)
+        await stage.until(pilot, ran)
+        await pilot.press("escape")
+        await stage.idle(pilot)
+        stage.engine.gate.set()
+        assert not stage.bench.desk.stages and "requirements" not in status()
+        stage.engine.gate = None
+        stage.bench.chat.entry.put("")
+        await stage.say(pilot, CUT_IN)
+        before = stage.bench.desk
+        assert "3 of 3 requirements met" in status()
+        stage.engine.gate = threading.Event()
+        await stage.bench.turns.make_edits((SetField(component="O1", path="placement.gap", value=25.0),))
+        await stage.until(pilot, lambda: ran() and not stage.bench.desk.results)
+        await pilot.press("escape")
+        await stage.idle(pilot)
+        stage.engine.gate.set()
+        assert (stage.bench.desk.stages, stage.bench.desk.results) == (before.stages, before.results)
+        assert "3 of 3 requirements met" in status() and stage.bench.desk.program == before.program
 
 
 async def test_what_was_cancelled_is_back_in_the_line(stage):

@@ -166,6 +166,8 @@ async def test_what_was_typed_comes_back(stage):
         assert stage.bench.chat.entry.text == "half a thought"
         assert stage.bench.desk.program.text == program
         assert CUT_IN in stage.said
+        came = stage.said[stage.said.index(CUT_IN) :]
+        assert any(line.startswith("Added O1; ") and "3 of 3 requirements met" in line for line in came)
 
 
 async def test_a_text_whose_reading_failed_comes_back(stage):

@@ -120,7 +120,7 @@ def test_bad_input_gets_one_sentence(arguments, stdin, says):
 @pytest.mark.full
 def test_an_unknown_map_names_those_there_are():
     done = c2s("generate", TEXT, "--map", "Atlantis")
-    assert done.returncode == 1
+    assert done.returncode == 2
     assert "town" in done.stderr.decode()
 
 

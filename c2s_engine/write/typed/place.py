@@ -77,7 +77,7 @@ def _ordinary(plan: Plan) -> bool:
     """Whether nothing asks for more lanes than roads usually have."""
     spec = plan.place
     beside = {None, "leftmost"} if spec.oncoming else {None}
-    few = spec.lanes in (None, 1) and spec.ego_lane in beside
+    few = spec.lanes is None and spec.ego_lane in beside
     return few and not plan.pockets and spec.kind not in {"motorway", *RAMP}
 
 

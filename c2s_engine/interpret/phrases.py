@@ -1,6 +1,7 @@
 """The phrases of a text, and the text without each: read anew, it says whether the phrase makes any difference."""
 
 import re
+from collections.abc import Iterable
 from typing import Any
 
 from c2s_engine.interpret.reading.syntax import parser
@@ -16,7 +17,8 @@ def without_each(text: str) -> list[tuple[Span, str]]:
     """Spans of the text, longer ones first, each with the text that is left without it."""
     doc = parser()(text)
     found = {(s.start_char, s.end_char) for s in doc.sents}
-    found |= {_span(token) for token in doc if token.dep_ in MODIFIES and _says_something(token)}
+    found |= {_span(token) for token in doc if token.dep_ in MODIFIES and _says_something(token.subtree)}
+    found |= {(p.start_char, p.end_char) for s in doc.sents for p in _parts(s) if _says_something(p)}  # of notes, too
     longest = sorted(found, key=lambda span: (span[0] - span[1], span))
     return [(span, rest) for span in longest if (rest := _without(text, span)).strip(" .,;")]
 
@@ -29,8 +31,15 @@ def _span(token: Any) -> Span:
     return first, words[-1].idx + len(words[-1].text)
 
 
-def _says_something(token: Any) -> bool:
-    words = [w for w in token.subtree if w.is_alpha or w.like_num]
+def _parts(sentence: Any) -> list[Any]:
+    """What stands between the commas and the like of a sentence."""
+    marks = [t.i - sentence.start for t in sentence if t.is_punct and t.text not in "'’\"-"]
+    edges = zip([-1, *marks], [*marks, len(sentence)], strict=True)
+    return [sentence[a + 1 : b] for a, b in edges if b > a + 1]
+
+
+def _says_something(tokens: Iterable[Any]) -> bool:
+    words = [w for w in tokens if w.is_alpha or w.like_num]
     return any((not w.is_stop or w.like_num) and w.lower_ != "ego" for w in words)
 
 

@@ -11,6 +11,7 @@ CASES = [
     ("Ego drives at 50 km/h. A red car ahead of ego brakes hard without indicating.", ["red", "without indicating"]),
     ("Ego follows a van at 60 km/h at night. My cousin owns a boat.", []),  # named as background
     ("A lorry behind ego stops in time. Ego stands at a red light.", ["in time"]),
+    ("A child from the right, ego 30 km/h, at night, no collision", ["no collision"]),  # a note without a sentence
 ]
 
 
@@ -38,3 +39,8 @@ def test_phrases_are_taken_out_with_what_joins_them():
     assert left["behind a parked bus"] == "A car brakes hard and stops."
     assert left["hard"] == "A car brakes and stops behind a parked bus."
     assert text not in left, "nothing would be left"
+
+
+def test_what_stands_between_commas_is_a_phrase():
+    note = "truck ahead, no hurry; rain"
+    assert {"truck ahead", "no hurry", "rain"} <= {note[a:b] for (a, b), _ in without_each(note)}

@@ -71,7 +71,7 @@ class Turns(Part):
             finally:
                 self.working = self.said = ""
                 if not finished:
-                    self.desk = desks.as_it_was(desks.broken_off(self.desk, self.session), self.session)
+                    self.desk = desks.broken_off(self.desk, self.session)
                 else:
                     self.waiting = ()
                 self.bench.show()

@@ -86,9 +86,7 @@ def exit_code(done: Finished) -> int:
     """Done, refused, not understood as a text or a change, or stopped because a service (the model's) is not there."""
     if any(d.code == "model-service" for d in done.diagnostics):
         return NO_SERVICE
-    if any(d.stage == "interpret" and d.code == "text" for d in done.diagnostics):
-        return BAD_INPUT
-    if any(d.code == "unknown-map" for d in done.diagnostics):
+    if any(d.stage == "interpret" and d.code == "text" or d.code == "unknown-map" for d in done.diagnostics):
         return BAD_INPUT
     if done.details.get("turn") == "edit" and done.details.get("unchanged"):
         return BAD_INPUT if done.ok else REFUSED

@@ -8,7 +8,7 @@ from c2s_engine.require.evidence import STANDING, Evidence
 from c2s_engine.require.geometry import box_distance, lead
 from c2s_engine.require.results import between, scored, span, unknown, words
 from c2s_engine.require.scene import Scene, bounds
-from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.facts import EGO, component_of
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import Phase
@@ -22,7 +22,7 @@ ELSEWHERE = ("collide", "lane_change", "cut_in", "cut_out", "leave_road", "turn_
 def required(scene: Scene) -> Iterator[Requirement]:
     for actor, i, phase in scene.phases():
         path, name = f"phases.{i}", scene.named(actor)
-        cid = "E" if actor == EGO else actor
+        cid = component_of(actor)
         of = f"{cid}.{path}.{phase.action}"
         left = _left(scene, actor, i)
         later = {p.action for p in scene.actors[actor].phases[i + 1 :]}

@@ -9,7 +9,7 @@ from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
 from c2s_engine.require.geometry import lead
 from c2s_engine.require.results import between, scored, span, unknown, words
 from c2s_engine.require.scene import TURNS, Scene, bounds
-from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.facts import EGO, component_of
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import Phase
@@ -38,7 +38,7 @@ LONGEST = 8.0
 
 def required(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iterator[Requirement]:
     """What a phase states in numbers of its moment; `of`: the requirement that it is seen."""
-    name, said, cid = scene.named(actor), phase.action.replace("_", " "), "E" if actor == EGO else actor
+    name, said, cid = scene.named(actor), phase.action.replace("_", " "), component_of(actor)
     if phase.gap is not None and phase.action in (*OVER_LINE, *SLOWS, "follow") and scene.stated(cid, f"{path}.gap"):
         other = phase.target or EGO
         later = phase.action == "follow" and not path.endswith(".0")  # it first has to come to that gap
@@ -61,7 +61,7 @@ def required(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
 def delays(scene: Scene) -> Iterator[Requirement]:
     """That phases begin so long after what they wait for as is said: after all that is seen."""
     for actor, i, phase in scene.phases():
-        trigger, path, cid = phase.trigger, f"phases.{i}", "E" if actor == EGO else actor
+        trigger, path, cid = phase.trigger, f"phases.{i}", component_of(actor)
         if trigger is None or trigger.delay is None or trigger.kind not in ("time", "action") \
                 or trigger.subject not in (None, actor) or not scene.stated(cid, f"{path}.trigger.delay"):  # fmt: skip
             continue
@@ -77,7 +77,7 @@ def _awaited(scene: Scene, of: str | None, action: str | None) -> str:
     """The requirement that what is waited for is seen; '' for none."""
     for actor, i, phase in scene.phases():
         if actor == of and phase.action == action:
-            return f"{'E' if actor == EGO else actor}.phases.{i}.{action}"
+            return f"{component_of(actor)}.phases.{i}.{action}"
     return ""
 
 

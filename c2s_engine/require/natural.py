@@ -9,7 +9,7 @@ from c2s_engine.require.geometry import lead
 from c2s_engine.require.outcome import SIDEWARD, struck
 from c2s_engine.require.results import scored, span, unknown
 from c2s_engine.require.scene import Scene, bounds, kmh
-from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.facts import EGO, component_of
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 
@@ -31,7 +31,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
         yield scene.make("natural", "dynamics", actor, "dynamics", f"{name} moves within what its class can and "
                          "does.", sideways="lose_control" not in actions)  # fmt: skip
         yield from _speeds(scene, actor, spec)
-        cid = "E" if actor == EGO else actor
+        cid = component_of(actor)
         changes = tuple(f"{cid}.phases.{i}.{p.action}" for i, p in enumerate(spec.phases) if p.action in CHANGES)
         if spec.speed != 0 and not (actor == EGO and scene.ego.reaction != "none"):
             text = f"{name} neither surges nor slows without a reason" + (" before it is said to." if changes else ".")
@@ -49,7 +49,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
 
 
 def _speeds(scene: Scene, actor: str, spec: EgoSpec | ObjectSpec) -> Iterator[Requirement]:
-    cid, name = ("E" if actor == EGO else actor), scene.named(actor)
+    cid, name = component_of(actor), scene.named(actor)
     stated = spec.speed is not None and scene.stated(cid, "speed")
     held = scene.speed(actor, spec, "speed")
     if held is not None and held[1] > 0:

@@ -10,7 +10,7 @@ from c2s_engine.require.moments import beside
 from c2s_engine.require.phases import AT_JUNCTION, LASTING
 from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
-from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.facts import EGO, component_of
 from c2s_engine.structure.quantity import high
 from c2s_engine.structure.requirements import Requirement, Result
 
@@ -21,13 +21,13 @@ LONGEST_GAIN = 12.0
 
 def required(scene: Scene) -> Iterator[Requirement]:
     ids = tuple(
-        f"{'E' if actor == EGO else actor}.phases.{i}.{end}"
+        f"{component_of(actor)}.phases.{i}.{end}"
         for actor, i, p in scene.phases() if p.action not in LASTING
         for end in (p.action, *({"overtake": ("back", "abandoned"), "swerve": ("back",)}.get(p.action, ())))
     )  # fmt: skip
     if not ids:
         return
-    then = [f"{'E' if actor == EGO else actor}.phases.{i}.{p.action}" for actor, i, p in scene.phases()
+    then = [f"{component_of(actor)}.phases.{i}.{p.action}" for actor, i, p in scene.phases()
             if i and p.action in ("follow", "stationary", "wait")]  # fmt: skip
     then += [key.removesuffix("follow") + "gap" for key in then if key.endswith("follow")]  # it has come to that
     timed = max((high(p.trigger.value) for _, _, p in scene.phases()

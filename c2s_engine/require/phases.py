@@ -10,7 +10,7 @@ from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
 from c2s_engine.require.geometry import box_distance
 from c2s_engine.require.results import between, decided, scored, span, unknown
 from c2s_engine.require.scene import Scene, bounds, kmh, shown_by
-from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.facts import EGO, component_of
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result, Value
 from c2s_engine.structure.specs import Phase
@@ -51,7 +51,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
             values["change"] = change
         if phase.action == "stop" and _after_contact(scene, actor, i):
             values["rolls_out"] = True
-        if phase.duration is not None and scene.stated(_cid(actor), f"{path}.duration"):
+        if phase.duration is not None and scene.stated(component_of(actor), f"{path}.duration"):
             values["duration"] = low(phase.duration)
         towards = f" ({scene.named(phase.target)})" if phase.target else ""
         check = "breaks_off" if phase.abandoned and phase.action in moments.OVER_LINE else "shown"
@@ -100,10 +100,6 @@ def _change(scene: Scene, actor: str, i: int) -> float | None:
     return max(abs(sum(two) - sum(one)) / 2, 0.1)
 
 
-def _cid(actor: str) -> str:
-    return "E" if actor == EGO else actor
-
-
 def _details(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iterator[Requirement]:
     name, said = scene.named(actor), phase.action.replace("_", " ")
     if phase.side and phase.action in SIDED:
@@ -112,15 +108,16 @@ def _details(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
     if phase.action in AT_JUNCTION and scene.place.kind == "intersection":
         yield scene.make("place", "in_junction", actor, f"{path}.place", f"{name}: {said} in the junction on ego's "
                          "way.", of=of)  # fmt: skip
-    if phase.rate is not None and phase.action in ("brake", "stop") and scene.stated(_cid(actor), f"{path}.rate"):
-        yield scene.make("phase", "rate", actor, f"{path}.rate", f"{name}: {said} with {low(phase.rate):g} m/s2.",
-                         of=of, least=low(phase.rate), most=high(phase.rate))  # fmt: skip
+    rate = phase.rate if phase.action in ("brake", "stop") else None
+    if rate is not None and scene.stated(component_of(actor), f"{path}.rate"):
+        yield scene.make("phase", "rate", actor, f"{path}.rate", f"{name}: {said} with {low(rate):g} m/s2.",
+                         of=of, least=low(rate), most=high(rate))  # fmt: skip
     if (goal := scene.speed(actor, phase, f"{path}.speed")) is not None and goal[1] > 0:
         least, most = goal
         yield scene.make("speed", "reaches", actor, f"{path}.speed", f"{name}: {said} at {kmh(least, most)}.", of=of,
                          least=least, most=most)  # fmt: skip
     trigger = phase.trigger if phase.trigger and not is_watched(phase.trigger, actor) else None
-    if trigger and trigger.kind == "place" and trigger.place and scene.stated(_cid(actor), f"{path}.trigger"):
+    if trigger and trigger.kind == "place" and trigger.place and scene.stated(component_of(actor), f"{path}.trigger"):
         value = high(trigger.value) if trigger.value is not None else 0.0
         where = "end of the acceleration lane" if trigger.place == "merge_end" else trigger.place
         text = f"{name}: {said} at the {where}."
@@ -128,7 +125,7 @@ def _details(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
                          within=value, action=phase.action)  # fmt: skip
     whom = (trigger.of or (None if actor == EGO else EGO)) if trigger else None
     if trigger and trigger.kind == "distance" and trigger.value is not None and whom is not None and not trigger.delay \
-            and scene.stated(_cid(actor), f"{path}.trigger.value"):  # fmt: skip
+            and scene.stated(component_of(actor), f"{path}.trigger.value"):  # fmt: skip
         text = f"{name}: {said} when {scene.named(whom)} is {high(trigger.value):g} m away."
         centres = not scene.recognised(actor)  # `distance from` of a program is from centre to centre
         yield scene.make("place", "at_distance", actor, f"{path}.trigger", text, other=whom, of=of,
@@ -140,7 +137,7 @@ def _awaited(scene: Scene) -> Iterator[Requirement]:
     """Who waits for another's action acts after it."""
     ids: dict[tuple[str, str], str] = {}
     for actor, i, phase in scene.phases():
-        ids.setdefault((actor, phase.action), f"{_cid(actor)}.phases.{i}.{phase.action}")
+        ids.setdefault((actor, phase.action), f"{component_of(actor)}.phases.{i}.{phase.action}")
     for actor, i, phase in scene.phases():
         trigger = phase.trigger
         if trigger is None or trigger.kind != "action" or trigger.of is None or trigger.action is None:
@@ -152,7 +149,7 @@ def _awaited(scene: Scene) -> Iterator[Requirement]:
         text = f"{scene.named(actor)}: {phase.action.replace('_', ' ')} comes after {scene.named(trigger.of)}: " \
             f"{trigger.action.replace('_', ' ')}."  # fmt: skip
         yield scene.make("order", "awaited", actor, f"phases.{i}.awaits", text, other=phase.target, first=first,
-                         second=f"{_cid(actor)}.phases.{i}.{phase.action}", action=phase.action,
+                         second=f"{component_of(actor)}.phases.{i}.{phase.action}", action=phase.action,
                          events=shown_by(phase.action), cause=trigger.of, its=trigger.action)  # fmt: skip
 
 

@@ -8,6 +8,7 @@ import yaml
 from c2s_engine import paths
 from c2s_engine.require.paces import speed_at
 from c2s_engine.structure.components import FITTED, Component, Structure
+from c2s_engine.structure.facts import EGO, called, component_of
 from c2s_engine.structure.quantity import Range, high, low
 from c2s_engine.structure.requirements import Kind, Requirement, Value
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
@@ -72,8 +73,8 @@ class Scene:
 
     def speed(self, actor: str, said: EgoSpec | ObjectSpec | Phase, path: str) -> Range | None:
         """The speed (m/s) that S says in a number or in a word, from and to; None: it says none."""
-        if said.speed is not None and (said.pace is None or self.stated("E" if actor == "ego" else actor, path)):
-            stated = self.stated("E" if actor == "ego" else actor, path)
+        if said.speed is not None and (said.pace is None or self.stated(component_of(actor), path)):
+            stated = self.stated(component_of(actor), path)
             return (low(said.speed), high(said.speed)) if stated else None
         return speed_at(self.actors[actor].type, said.pace, self.place) if said.pace is not None else None
 
@@ -90,14 +91,14 @@ class Scene:
 
     def overtakes(self, one: str | None, other: str) -> bool:
         """Whether one actor overtakes another; it may be left open whom."""
-        spec = self.actors.get("ego" if one == "E" else one or "ego")
+        spec = self.actors.get(called(one or EGO))
         whom = "ego" if isinstance(spec, ObjectSpec) else other
         return spec is not None and any(p.action == "overtake" and (p.target or whom) == other for p in spec.phases)
 
     def make(self, kind: Kind, check: str, actor: str, path: str, text: str, *, other: str | None = None,
              component: str | None = None, **values: Value) -> Requirement:  # fmt: skip
         """A requirement with its id and its clause."""
-        cid = component or ("E" if actor == "ego" else actor)
+        cid = component or component_of(actor)
         links = [(link.field, link.span) for link in self.structure[cid].links if link.span and link.kind == "text"]
         exact = [span for field, span in links if field and f"{path}.".startswith(f"{field}.")]
         spans = exact or [span for _, span in links]

@@ -10,7 +10,7 @@ from c2s_engine.require.evidence import STANDING, Evidence, Motion
 from c2s_engine.require.geometry import box_distance, lead
 from c2s_engine.require.results import between, decided, scored, unknown
 from c2s_engine.require.scene import Scene, bounds
-from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.facts import EGO, component_of
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import Phase, SettingsSpec, Trigger
@@ -31,7 +31,7 @@ Array = np.ndarray
 
 def required(scene: Scene) -> Iterator[Requirement]:
     for actor, i, phase in scene.phases():
-        cid, path = "E" if actor == EGO else actor, f"phases.{i}"
+        cid, path = component_of(actor), f"phases.{i}"
         name, said, of = scene.named(actor), phase.action.replace("_", " "), f"{cid}.{path}.{phase.action}"
         t = phase.trigger
         if t is not None and is_watched(t, actor) and scene.stated(cid, f"{path}.trigger"):
@@ -73,7 +73,7 @@ def _values(scene: Scene, t: Trigger, actor: str) -> dict[str, Any]:
     awaited = ""
     for who, i, phase in scene.phases():
         if t.kind == "action" and who == (t.of or EGO) and phase.action == t.action:
-            awaited = f"{'E' if who == EGO else who}.phases.{i}.{phase.action}"
+            awaited = f"{component_of(who)}.phases.{i}.{phase.action}"
     return {
         "watched": t.kind, "subject": subject, "than": t.of or _other(scene, subject), "awaited": awaited,
         "its": t.action or "", "place": t.place or "", "light": t.light or "",
@@ -215,7 +215,7 @@ def ends_when(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 def _clearance(scene: Scene, actor: str, path: str, phase: Phase) -> Iterator[Requirement]:
-    cid = "E" if actor == EGO else actor
+    cid = component_of(actor)
     if phase.clearance is None or phase.target is None or not scene.stated(cid, f"{path}.clearance"):
         return
     least, most, stands = low(phase.clearance), high(phase.clearance), phase.action == "stop"

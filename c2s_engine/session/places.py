@@ -274,16 +274,11 @@ def _places(count: int) -> str:
 
 
 async def having(
-    structure: Structure, library: MapLibrary, check: CheckClient, names: Iterable[str]
+    structure: Structure, library: MapLibrary, check: CheckClient, names: Iterable[str], room: bool = False
 ) -> tuple[str, ...]:
-    """Those maps that have the place."""
-    return tuple([name for name in names if await _quietly(structure, library, check, name) is not None])
-
-
-async def with_room(structure: Structure, library: MapLibrary, check: CheckClient, given: str) -> tuple[str, ...]:
-    """Those maps other than the given one that have the room for the speeds of a structure."""
-    found = {name: await _quietly(structure, library, check, name) for name in at_hand(library, None) if name != given}
-    return tuple(name for name, there in found.items() if there is not None and not is_short(structure, there))
+    """Those maps that have the place; with `room`, those of them that have the room for the speeds, too."""
+    found = [(name, await _quietly(structure, library, check, name)) for name in names]
+    return tuple(name for name, there in found if there is not None and not (room and is_short(structure, there)))
 
 
 async def _quietly(structure: Structure, library: MapLibrary, check: CheckClient, name: str) -> Resolution | None:

@@ -129,7 +129,7 @@ class Session:
     @property
     def conversation(self) -> list[Turn]:
         """The turns that lead here and the texts that led to none (their index is -1), as they were said."""
-        unread = [Turn(-1, "say", t.text, t.when, "nothing changed", t.replies) for t in self._journal.unread]
+        unread = [Turn(-1, "say", t.text, t.when, NOTHING, t.replies) for t in self._journal.unread]
         return sorted([*self.history, *unread], key=lambda t: t.when)
 
     @property
@@ -235,7 +235,7 @@ class Session:
         turn: Pending | None = None
         finished: Finished | None = None
         said: list[str] = []
-        unread = True
+        read = False
         try:
             turn = begin()
             if self._head is None:
@@ -257,9 +257,8 @@ class Session:
             back = finished.details.get("turn") if finished else None
             if finished and back not in ("undo", "redo") and not futile(finished):
                 await asyncio.to_thread(self._commit, turn, finished, tuple(said))
-                unread = False
-            elif finished and back in ("undo", "redo"):
-                unread = False
+                read = True
+            read = read or back in ("undo", "redo")
         except (asyncio.CancelledError, GeneratorExit):
             said.append("Cancelled; nothing was changed.")
             raise
@@ -273,7 +272,7 @@ class Session:
         finally:
             self._running = False
             if turn:
-                lost = unread and turn.kind == "say"
+                lost = not read and turn.kind == "say"
                 self._journal.end(turn, Unread(text=turn.text, when=turn.when, replies=tuple(said)) if lost else None)
         path = self._path() if back == "undo" else []
         if last := self._last_change(path):

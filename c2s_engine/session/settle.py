@@ -19,11 +19,11 @@ from c2s_engine.session.places import (
     at_hand,
     demanded,
     first_on_map,
+    having,
     is_short,
     listed,
     refusal,
     resolve,
-    with_room,
 )
 from c2s_engine.solve.fitting import slower
 from c2s_engine.structure.components import Assumption, Structure, Unmet
@@ -66,7 +66,7 @@ async def strictly(
     found = await resolve(structure, library, check, given=given, default=default)
     if given is None or not is_short(structure, found):
         return structure, found
-    others = await with_room(structure, library, check, given)
+    others = await having(structure, library, check, (n for n in at_hand(library, None) if n != given), room=True)
     there = f"{listed(others)} {'has' if len(others) == 1 else 'have'} the room" if others else "lower them"
     lack = f"{given} has no such road without stop signs that is long and straight enough for the speeds; {there}."
     return structure, Resolution(None, diagnostic=refusal(lack, "no-room", ("R",)))

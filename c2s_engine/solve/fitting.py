@@ -55,22 +55,19 @@ def _open(structure: Structure) -> Iterator[Field]:
 
 def _lowered(structure: Structure, speeds: dict[Field, Quantity], share: float, where: str) -> Structure:
     """The structure with those of some speeds lowered that are over a share of the highest."""
+    said = dict(_said(structure))
     over = _concerned({high(speed) for speed in speeds.values()}, share)
     changed = structure
     for (cid, path), speed in speeds.items():
         if high(speed) not in over:
             continue
-        open_ = path in {a.field for a in structure[cid].assumed} or _value(structure, cid, path) is None
+        open_ = (cid, path) not in said or path in {a.field for a in structure[cid].assumed}
         now = round(low(speed) * share, 2), round(high(speed) * share, 2)
         was = "left open" if open_ else f"{in_words(path, speed)} was said"
         reason = f"{was}; the roads of {where} have room for {in_words(path, now)}"
         unknown = Unknown(cid, path, middle(speed))
         changed = chosen(changed, unknown, now[1] if now[0] == now[1] else now, reason, PLANNER if open_ else FITTED)
     return changed
-
-
-def _value(structure: Structure, cid: str, path: str) -> Quantity | None:
-    return dict(_said(structure)).get((cid, path))
 
 
 def _concerned(speeds: Collection[float], share: float) -> set[float]:

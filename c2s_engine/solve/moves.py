@@ -8,9 +8,9 @@ import yaml
 
 from c2s_engine import paths
 from c2s_engine.solve.reaching import further
-from c2s_engine.solve.unknowns import Move, Setting, Unknown, component_of, find
+from c2s_engine.solve.unknowns import Move, Setting, Unknown, find
 from c2s_engine.structure.components import ComponentId, Structure
-from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.facts import EGO, component_of
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import ObjectSpec
@@ -21,7 +21,7 @@ AFTER = 3.0
 """s for which a run goes on after the last of what is said."""
 SHORTEST = 4.0
 """s that a run takes at least."""
-ALL_ALONG = ("unseen", "own_side", "stands_for", "at_line")
+BY_ITS_ROAD = ("unseen", "own_side", "stands_for", "at_line")
 """Checks of what comes of a road that goes on differently than S needs: stops at later signs and the like."""
 BEFORE = 0.5
 """s before such a thing at which a run ends."""
@@ -61,8 +61,8 @@ def _ending(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unkno
     if late is not None and length is not None:
         assert late.time is not None and late.value is not None
         yield ((length, float(max(SHORTEST, round(late.time - late.value + AFTER)))),)
-    first = min((r.time for q, r in failing if q.check in ALL_ALONG and r.time is not None), default=0.0)
-    shown = all(q.check in (*ALL_ALONG, "soon_over") for q, _ in failing)  # all else, so that this may come after it
+    first = min((r.time for q, r in failing if q.check in BY_ITS_ROAD and r.time is not None), default=0.0)
+    shown = all(q.check in (*BY_ITS_ROAD, "soon_over") for q, _ in failing)  # all else, so that this may come after it
     if length is not None and shown and first - BEFORE >= SHORTEST:
         yield length.set_to(first - BEFORE)
 

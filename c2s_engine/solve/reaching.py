@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 
-from c2s_engine.solve.unknowns import Move, Unknown, component_of, find
+from c2s_engine.solve.unknowns import Move, Unknown, find
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.facts import EGO
+from c2s_engine.structure.facts import EGO, component_of
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import ObjectSpec
 

@@ -5,8 +5,9 @@ from collections.abc import AsyncIterator
 from dataclasses import dataclass
 
 from c2s_engine.solve.search import Evaluate, Outcome, solve
-from c2s_engine.solve.unknowns import Unknown, chosen, component_of, find, said, unknowns
+from c2s_engine.solve.unknowns import Unknown, chosen, find, said, unknowns
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.facts import component_of
 from c2s_engine.write.typed import ResolveError
 from c2s_engine.write.typed.usual_values import usual_values
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from c2s_engine.structure.components import FITTED, Assumption, Component, ComponentId, Structure
 from c2s_engine.structure.edits import EditError, SetField, apply
-from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import Quantity, in_words, middle
 from c2s_engine.structure.sentences import retold
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
@@ -66,11 +65,6 @@ Move = tuple[Setting, ...]
 def find(open_: Sequence[Unknown], component: ComponentId, path: str) -> Unknown | None:
     """The unknown of a component at a path, if that is open."""
     return next((u for u in open_ if (u.component, u.path) == (component, path)), None)
-
-
-def component_of(who: str) -> ComponentId:
-    """The component of an actor of a requirement."""
-    return "E" if who == EGO else who
 
 
 Field = tuple[ComponentId, str]

@@ -11,6 +11,16 @@ from pydantic import BaseModel, ConfigDict
 EGO = "ego"
 
 
+def component_of(who: str) -> str:
+    """The id of the component of somebody whom S, a requirement or a run names."""
+    return "E" if who == EGO else who
+
+
+def called(cid: str) -> str:
+    """How S, requirements and runs call the one of a component."""
+    return EGO if cid == "E" else cid
+
+
 class _Frozen(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 

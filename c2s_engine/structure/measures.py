@@ -5,7 +5,7 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict
 
-from c2s_engine.structure.facts import EGO, RunFacts
+from c2s_engine.structure.facts import EGO, RunFacts, component_of
 from c2s_engine.structure.requirements import Requirement
 
 
@@ -117,7 +117,7 @@ def collisions(
     found = []
     for c in sorted(facts.contacts, key=lambda c: c.time):
         who = tuple(known.get(n, n) for n in (c.one, c.other))
-        cids = tuple("E" if w == EGO else w for w in who)
+        cids = tuple(map(component_of, who))
         asked = None if said is None else frozenset(who) in said
         found.append(Collision(time=c.time, one=c.one, other=c.other, components=cids, said=asked, in_text=in_text))  # type: ignore[arg-type]
     return tuple(found)

@@ -1333,10 +1333,10 @@ def _along_roads(fits, length=0, least=0, limit=None, speed=0, share=0, across=F
     ways = [(part, over) for part, over in SHARES if part >= share and (across or not share or over != JUNCTIONS)]
     for free, part, over in [(True, *way) for way in ways] + [(False, *way) for way in ways if not share]:
         metres = max(part * length, least)
-        starts = [place for place in found if not free or is_free(place.lane, metres, speed, over == JUNCTIONS)]
+        starts = [place for place in found if not free or free_for(place.lane, speed, over == JUNCTIONS) >= metres]
         long = {_longer(place, metres, over, lanes, ahead=True): place for place in starts}
         long = {place: start for place, start in long.items() if place and (over is None or fits(place.lane))}
-        fast = [place for place in long if speed and is_free(long[place].lane, metres, speed, True, signs=False)]
+        fast = [place for place in long if speed and free_for(long[place].lane, speed, True, signs=False) >= metres]
         if long:
             best = _posted(_exactly(lanes.get('lanes'), fast or [*long]), limit)
             best = [place for place in best if reach(long[place].lane, least, ahead=True) >= least] or best  # none starts in a junction
@@ -1357,24 +1357,29 @@ def kept(lane, speed):
         KEPT[lane, speed] = 4 * tight[0] if len(tight) else math.inf
     return KEPT[lane, speed]
 
-def is_free(lane, metres, speed, junctions, signs=True):
-    """Whether the bends of the first metres of a lane, and of those that it leads to, allow a speed (m/s; 0: whatever
-    they are), and no stop sign stands before their junctions."""
+FREE = {}
+def free_for(lane, speed, junctions, signs=True):
+    """How far (m) along a lane, and those that it leads to, the bends allow a speed (m/s; 0: any) and no stop sign stands
+    before a junction: at most to where the lanes end; without regard to `signs` for as long as there are bends."""
+    known = lane, speed, junctions, signs
+    if known not in FREE:
+        FREE[known] = _free_for(*known)
+    return FREE[known]
+
+def _free_for(lane, speed, junctions, signs):
     gone, passed = 0, []
     while lane not in passed:
         passed, step = [*passed, lane], onward(lane, junctions)
         for each in [lane, *([step.connectingLane] if step and step.connectingLane else [])]:
-            if speed and gone + kept(each, speed) < metres:
-                return False
+            if speed and kept(each, speed) < each.centerline.length:
+                return gone + kept(each, speed)
             gone += each.centerline.length
-            if gone >= metres:
-                return True
             if signs and each is lane and step and step.intersection and map_facts().sign(lane, step.intersection) == 'stop':
-                return False
+                return gone
         if not step:
             break
         lane = step.endLane
-    return not signs
+    return gone if signs else math.inf
 
 BEYOND = 100  # m behind a junction in which there is no stop sign, where there is such a place
 

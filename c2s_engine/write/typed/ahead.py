@@ -1,6 +1,7 @@
 """What lies ahead of those who change lanes: what stands there, and where a ramp's lane ends. m, s, m/s."""
 
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.facts import called
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
 from c2s_engine.write.typed.contradictions import ResolveError
@@ -66,7 +67,7 @@ def awaited(structure: Structure, cid: str) -> float:
         assert isinstance(spec, ObjectSpec)
         for i, phase in enumerate(spec.phases):
             t = phase.trigger
-            if i and t is not None and t.kind == "action" and (t.of or "ego") == ("ego" if cid == "E" else cid):
+            if i and t is not None and t.kind == "action" and (t.of or "ego") == called(cid):
                 moves = [p for p in spec.phases[:i] if p.action in LATERAL]
                 own = sum(sideways(LANE_WIDTH, shift_of(p)) + SETTLES for p in moves)
                 found.append(UNDISTURBED + own if moves else 0.0)

@@ -9,7 +9,7 @@ from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.overtakings import nearest
 from c2s_engine.write.typed.steps import AT_LINE, Step, steps
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, TURN
-from c2s_engine.write.typed.towards import held_for, its_turn
+from c2s_engine.write.typed.towards import its_turn
 from c2s_engine.write.typed.triggers import implicit, stated
 from c2s_engine.write.typed.usual import SETS_OUT, SLOWS_DOWN, slows_before
 from c2s_engine.write.typed.watching import watched
@@ -72,10 +72,7 @@ def _steps(course: Course) -> list[Step]:
         done.append(([course.drive(SLOW if course.actor.sets_out else None)], ""))
     for i, phase in enumerate(phases):
         ended = i > 0 and phases[i - 1].until is not None  # what comes before lasts until that
-        if phase.trigger:
-            condition = _nears(course, phase) or stated(course, phase)
-        else:
-            condition = "" if ended else implicit(course, phase, i == 0)
+        condition = stated(course, phase) if phase.trigger else "" if ended else implicit(course, phase, i == 0)
         if condition:
             if not done:
                 done.append(([course.drive()], ""))
@@ -103,12 +100,6 @@ def _steps(course: Course) -> list[Step]:
         if _at_line(course.actor, phase, i) and (turn := its_turn(course.actor)):
             done.append(([course.drive("0", 4)], f"until {turn}"))
     return done
-
-
-def _nears(course: Course, phase: Phase) -> str:
-    """As it comes to its line, from where it slows down to where it holds in the junction; "": it holds elsewhere."""
-    inside = phase.trigger is not None and phase.trigger.place == "in_intersection" and held_for(course, phase)
-    return f"until to_line(self, {course.actor.to_junction}) < self.speed ** 2 / 5" if inside else ""
 
 
 def _overtaken_later(course: Course, phases: list[Phase]) -> str:

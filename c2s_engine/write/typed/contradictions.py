@@ -7,6 +7,7 @@ from functools import cache
 import yaml
 
 from c2s_engine.paths import shipped
+from c2s_engine.structure.facts import called
 from c2s_engine.structure.specs import EgoSpec, LightChange, ObjectSpec, PlaceSpec
 
 
@@ -126,7 +127,7 @@ def unwatchable(
 ) -> ResolveError | None:
     """The first trigger of which nothing can come at that place."""
     watched = [
-        (f"{cid}.phases.{i}.{name}", "ego" if cid == "E" else cid, t)
+        (f"{cid}.phases.{i}.{name}", called(cid), t)
         for cid, spec in actors.items() for i, phase in enumerate(spec.phases)
         for name, t in (("trigger", phase.trigger), ("until", phase.until)) if t is not None
     ]  # fmt: skip

@@ -1,5 +1,6 @@
 """How one passes another: out of its lane where there is room, by, and back."""
 
+from c2s_engine.structure.facts import called
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
@@ -57,7 +58,7 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
 
 def _kept_aside(c: Course, p: Phase) -> float:
     """How far (m) to the side it passes at least, by the room that S keeps between the two; 0: it says nothing."""
-    pair = {_reference(c.actor.cid), p.target or "ego"}
+    pair = {called(c.actor.cid), p.target or "ego"}
     limits = getattr(c.actor.structure.restrictions.spec, "limits", ())
     rooms = [li.minimum for li in limits if li.kind == "gap" and li.minimum and {li.subject, li.other} == pair]
     rooms += [middle(p.clearance)] if p.clearance is not None else []
@@ -65,10 +66,6 @@ def _kept_aside(c: Course, p: Phase) -> float:
     if not rooms or whom is None:
         return 0.0
     return round(max(rooms) + SPARE + (WIDTH[c.actor.spec.type] + WIDTH[whom.type]) / 2, 1)
-
-
-def _reference(cid: str) -> str:
-    return "ego" if cid == "E" else cid
 
 
 def pulls_out(c: Course, p: Phase) -> str:

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.facts import component_of
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.lanes import lane_offset, leaves_lane
@@ -196,7 +197,7 @@ def _apart(structure: Structure, one: Overtaking) -> Structure:
         at = spec.placement
         near = {"ahead": "ahead", "behind": "behind"}.get(at.along or at.position)
         named = at.of if at.of != "ego" else "E"
-        if near == position and named == ("E" if of == "ego" else of) and at.gap is None:
+        if near == position and named == component_of(of) and at.gap is None:
             return structure.with_spec(cid, placement=at.model_copy(update={"gap": gap}))
     return structure
 

@@ -6,6 +6,7 @@ Lengths in m, times in s, speeds in m/s.
 from dataclasses import dataclass
 
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.facts import called, component_of
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
 from c2s_engine.write.typed.lanes import oncoming
@@ -79,7 +80,7 @@ def _pair(structure: Structure, actor: str) -> _Pair | None:
         for trigger, lasts in ((phase.trigger, 0.0), (phase.until, OUT)):
             near = _near(trigger, actor)
             if trigger is not None and near is not None:
-                one = _component(trigger.subject or actor)
+                one = component_of(trigger.subject or actor)
                 other = "E" if trigger.of == "ego" or trigger.of is None and one != "E" else trigger.of
                 pairs = ((one, other), (other, one)) if other and other in structure and other != one else ()
                 placed = next((a for a, b in pairs if a != "E" and _open_to(structure, str(a), str(b))), None)
@@ -92,15 +93,11 @@ def _pair(structure: Structure, actor: str) -> _Pair | None:
     return None
 
 
-def _component(who: str) -> str:
-    return "E" if who == "ego" else who
-
-
 def _near(trigger: Trigger | None, actor: str) -> float | None:
     """How near (m or s) one comes as a trigger comes true; of two others, nobody says how near, as is written."""
     if trigger is None or trigger.kind not in ("distance", "ttc"):
         return None
-    others = trigger.subject is not None and _component(trigger.subject) != actor
+    others = trigger.subject is not None and component_of(trigger.subject) != actor
     usual = {"distance": METRES, "ttc": SECONDS}[trigger.kind] if others else None
     return middle(trigger.value) if trigger.value is not None else usual
 
@@ -109,7 +106,7 @@ def _open_to(structure: Structure, one: str, two: str) -> bool:
     """Whether it is open how far one starts from another by which it is placed."""
     at = structure[one].spec.placement  # type: ignore[union-attr]
     near = at.position in TIMED or at.position == "beside" or at.along == "abreast" or at.hidden_by is not None
-    return at.of == ("ego" if two == "E" else two) and at.gap is None and not near
+    return at.of == called(two) and at.gap is None and not near
 
 
 def _gap(structure: Structure, pair: _Pair, spec: ObjectSpec) -> float:
@@ -138,7 +135,7 @@ def _slows(structure: Structure, pair: _Pair) -> bool:
     """Whether the one whom a follower comes up to slows down before that."""
     phases: tuple[Phase, ...] = getattr(structure[pair.actor].spec, "phases", ())
     follows = bool(phases) and phases[0].action == "follow" and pair.kind == "distance"
-    ahead = _component(phases[0].target or "ego") if follows else ""
+    ahead = component_of(phases[0].target or "ego") if follows else ""
     doings = getattr(structure[ahead].spec, "phases", ()) if ahead in structure else ()
     return any(p.action in ("brake", "stop") for p in doings)
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import takewhile
 
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.facts import called
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.ahead import (
@@ -159,7 +160,7 @@ def _pair(structure: Structure, cid: str, phase: Phase) -> _Pair | None:
 
 def _placed_by(structure: Structure, a: str, b: str) -> bool:
     at = structure[a].spec.placement  # type: ignore[union-attr]
-    return at.position in LANES and at.of == ("ego" if b == "E" else b)
+    return at.position in LANES and at.of == called(b)
 
 
 def _drives(spec: ObjectSpec) -> bool:
@@ -270,7 +271,7 @@ def _start(structure: Structure, pair: _Pair, i: int, phase: Phase, then: float,
 
 def _apart(pair: _Pair, phase: Phase, how: str) -> ResolveError:
     """Two who do not come to be as far from one another as is said."""
-    who, other = (("ego" if c == "E" else c) for c in (pair.actor, pair.other))
+    who, other = map(called, (pair.actor, pair.other))
     gap = f"{middle(phase.gap):g} m" if phase.gap is not None else "close"
     ahead = "ahead of" if phase.action != "follow" else "behind"
     return ResolveError(

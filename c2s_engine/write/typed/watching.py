@@ -1,6 +1,7 @@
 """What a trigger watches, as a condition of the program: of any road user, whoever waits for it."""
 
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.facts import called
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Trigger
 from c2s_engine.structure.triggers import is_watched
@@ -26,8 +27,8 @@ def watches(t: Trigger) -> bool:
 
 def watched(structure: Structure, plan: Plan, t: Trigger, own: str, name: str = "self") -> str:
     """The condition of a trigger. `own`: the component whose phase it is, which the code calls `name`."""
-    subject = name if t.subject in (None, _reference(own)) else scope.reference(structure, str(t.subject))
-    cid = _reference(own) if t.subject is None else t.subject
+    subject = name if t.subject in (None, called(own)) else scope.reference(structure, str(t.subject))
+    cid = called(own) if t.subject is None else t.subject
     other = _name(structure, t.of or _other(structure, cid), own, name)
     value = middle(t.value) if t.value is not None else None
     match t.kind:
@@ -62,12 +63,8 @@ def watched(structure: Structure, plan: Plan, t: Trigger, own: str, name: str = 
             return _there(structure, plan, t, subject, cid, value or 0.0)
 
 
-def _reference(cid: str) -> str:
-    return "ego" if cid == "E" else cid
-
-
 def _name(structure: Structure, cid: str, own: str, name: str) -> str:
-    return name if cid == _reference(own) else scope.reference(structure, cid)
+    return name if cid == called(own) else scope.reference(structure, cid)
 
 
 def _other(structure: Structure, subject: str) -> str:

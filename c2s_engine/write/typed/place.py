@@ -74,11 +74,8 @@ def call(plan: Plan, share: float = 0.0, across: bool = False) -> Call:
 
 
 def _ordinary(plan: Plan) -> bool:
-    """Whether nothing asks for more lanes than roads usually have."""
-    spec = plan.place
-    beside = {None, "leftmost"} if spec.oncoming else {None}
-    few = spec.lanes is None and spec.ego_lane in beside
-    return few and not plan.pockets and spec.kind not in {"motorway", *RAMP}
+    """Whether S says that the roads of a junction have one lane in each direction: the others are as small, too."""
+    return plan.single and plan.place.kind in JUNCTION
 
 
 def _suits(plan: Plan) -> str:

@@ -65,7 +65,9 @@ def test_choices_touch_only_what_is_open_and_are_said(seed):
         low, high = unknown.limits
         least, most = LIMITS[unknown.path.rsplit(".", 1)[-1]]
         assert least <= low <= high <= most
-        if unknown.usual:  # a speed does not stray from what is usual
+        if not unknown.usual:
+            assert (low, high) == (least, most)
+        else:  # a speed does not stray from what is usual
             assert low >= min(unknown.value, (1 - STRAYS) * unknown.usual) - 0.01
             assert high <= max(unknown.value, (1 + STRAYS) * unknown.usual) + 0.01
         for factor in (0.6, 1.5):

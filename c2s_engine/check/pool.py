@@ -16,11 +16,12 @@ PREAMBLES = 8
 SPARES = 2
 REST = 0.02  # s after a check: its report goes first
 READ_SECONDS = 15.0
+LIBRARY_SECONDS = 90.0  # a driving library beside the program is compiled with it
 GROW_SECONDS = 300.0  # a large map is parsed for minutes the first time, and Scenic's library for a second or two
 
 
 class TooSlow(Exception):
-    """The reader did not come back within READ_SECONDS."""
+    """The reader did not come back within READ_SECONDS, or LIBRARY_SECONDS."""
 
 
 class NotMade(Exception):
@@ -90,7 +91,8 @@ class Pool:
     async def _ask(self, reader: Child, request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
         try:
             reader.writer.write(wire.encode(request))
-            return await asyncio.wait_for(wire.read(reader.reader), READ_SECONDS)
+            seconds = LIBRARY_SECONDS if request.get("modules") else READ_SECONDS
+            return await asyncio.wait_for(wire.read(reader.reader), seconds)
         except (TimeoutError, wire.Closed, ConnectionError) as error:
             reader.kill()
             self._reader = None

@@ -6,7 +6,6 @@ Pure: it looks at specs only. `make_plan` raises ResolveError, naming the fields
 from dataclasses import replace
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import references
 from c2s_engine.structure.quantity import Quantity, high, low, middle
 from c2s_engine.structure.specs import EgoSpec, LightChange, ObjectSpec, PlaceSpec
 from c2s_engine.write.typed import alongside, contradictions, lanes, layout
@@ -35,7 +34,6 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
     restrictions = structure.restrictions.spec
     objects = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
-    _placed_after(structure)
     two_way = place.oncoming is True and place.kind in ("road", "straight", "curve")
     place = _place_kind(place, ego, objects)
     lane_of = {cid: lanes.lane_offset(cid, objects) for cid in objects}
@@ -133,29 +131,6 @@ def _with_room(structure: Structure, plan: Plan) -> Plan:
 def _single(said: PlaceSpec, place: PlaceSpec, two_way: bool) -> bool:
     """Whether ego's road has one lane in its direction: as is said, or as roads with two directions have."""
     return said.lanes == 1 and (two_way or place.kind in JUNCTION) or two_way and said.lanes is None
-
-
-def _placed_after(structure: Structure) -> None:
-    """An object is placed relative to one that is written before it; T's conditions name what is there."""
-    known = {"ego"}
-    for component in structure.objects:
-        spec = component.spec
-        assert isinstance(spec, ObjectSpec)
-        for name, other in (("of", spec.placement.of), ("hidden_by", spec.placement.hidden_by)):
-            if other is not None and other not in known:
-                where = f"{component.id}.placement.{name}"
-                raise ResolveError(
-                    f"{component.id} is placed by {other}, which is not there before it: move it", (where,)
-                )
-        known.add(component.id)
-    if any(c.kind == "time" for c in getattr(structure.restrictions.spec, "require", ())):
-        raise ResolveError(
-            "a scene has no time that could be required: say how long the run is, or when it ends",
-            ("T.require", "T.duration", "T.terminate_when"),
-        )
-    for c in (structure.ego, structure.restrictions, *structure.objects):
-        if missing := references(c) - known - {"E"}:
-            raise ResolveError(f"{c.id} names {', '.join(sorted(missing))}, which is not there", (c.id,))
 
 
 def _runs_stop(o: ObjectSpec) -> bool:

@@ -3,6 +3,7 @@
 from functools import lru_cache
 
 from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.edits import references
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec, RestrictionsSpec
 from c2s_engine.write.typed import traffic
@@ -64,8 +65,33 @@ def _spread(
         objects=tuple(Component(id=cid, spec=spec) for cid, spec in objects),
         restrictions=Component(id="T", spec=restrictions),
     )
+    _placed_after(found)
     found = apart(_rows(reached(traffic.solved(normal(paced(found))))))
     return (found.place.spec, found.ego.spec, *(c.spec for c in found.objects))  # type: ignore[return-value, arg-type]
+
+
+def _placed_after(structure: Structure) -> None:
+    """Raises ResolveError where an object is placed relative to one that is not written before it, where a component
+    names one that is not there, or where T requires a time of the scene."""
+    known = {"ego"}
+    for component in structure.objects:
+        spec = component.spec
+        assert isinstance(spec, ObjectSpec)
+        for name, other in (("of", spec.placement.of), ("hidden_by", spec.placement.hidden_by)):
+            if other is not None and other not in known:
+                where = f"{component.id}.placement.{name}"
+                raise ResolveError(
+                    f"{component.id} is placed by {other}, which is not there before it: move it", (where,)
+                )
+        known.add(component.id)
+    if any(c.kind == "time" for c in getattr(structure.restrictions.spec, "require", ())):
+        raise ResolveError(
+            "a scene has no time that could be required: say how long the run is, or when it ends",
+            ("T.require", "T.duration", "T.terminate_when"),
+        )
+    for c in (structure.ego, structure.restrictions, *structure.objects):
+        if missing := references(c) - known - {"E"}:
+            raise ResolveError(f"{c.id} names {', '.join(sorted(missing))}, which is not there", (c.id,))
 
 
 def _rows(structure: Structure) -> Structure:

@@ -53,6 +53,15 @@ def test_open_gaps_are_set_apart(things):
     assert not clashes(draws(found, make_plan(found)))
 
 
+def test_gaps_that_were_solved_for_are_set_apart_too():
+    """Both are left to ego, which changes lane before them: solved for one by one, they would stand at one spot."""
+    ahead = {"placement": {"position": "ahead"}}
+    works = [{"type": "construction_zone", **ahead}, {"type": "cone", "count": 2, **ahead}, {"speed": 16.67, **ahead}]
+    ego = {"speed": 16.67, "phases": [{"action": "lane_change", "side": "left"}]}
+    found = spread(made(*works, place={"kind": "road", "lanes": 2, "ego_lane": "rightmost"}, ego=ego))
+    assert not clashes(draws(found, make_plan(found)))
+
+
 REFUSED = {
     "at one spot": ([{"placement": {"gap": 20}}, {"placement": {"gap": 21}}], {}),
     "ego pulls out there": (

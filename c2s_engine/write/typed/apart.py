@@ -22,15 +22,16 @@ ROOM = 1.0
 """m between two that were set apart."""
 
 
-def apart(structure: Structure) -> Structure:
-    """S with open gaps such that nobody starts inside another; raises ResolveError where none does that."""
+def apart(structure: Structure, said: Structure | None = None) -> Structure:
+    """S with open gaps such that nobody starts inside another; raises ResolveError where none does that. `said`: S
+    before gaps that it leaves open were solved for; those may grow, too."""
     for _ in range(2 * len(structure.objects)):
         plan = make_plan(structure)
         found = clashes(draws(structure, plan))
         pair = next((p for p, share in found.items() if share > OFTEN), None)
         if pair is None:
             return structure
-        changed = _set_off(structure, plan, pair, sum(found.values()))
+        changed = _set_off(structure, said or structure, plan, pair, sum(found.values()))
         if changed is None:
             raise _refusal(structure, pair)
         structure = changed
@@ -40,9 +41,11 @@ def apart(structure: Structure) -> Structure:
     return structure
 
 
-def _set_off(structure: Structure, plan: Plan, pair: tuple[str, str], clashing: float) -> Structure | None:
+def _set_off(
+    structure: Structure, said: Structure, plan: Plan, pair: tuple[str, str], clashing: float
+) -> Structure | None:
     """With the gap of one of the two, or of one that they are placed by, so that they are clear of each other."""
-    for cid in _movable(structure, pair):
+    for cid in _movable(said, pair):
         spec = structure[cid].spec
         assert isinstance(spec, ObjectSpec)
         start = _now(cid, spec, plan)

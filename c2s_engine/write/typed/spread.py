@@ -66,7 +66,7 @@ def _spread(
         restrictions=Component(id="T", spec=restrictions),
     )
     _placed_after(found)
-    found = apart(_rows(reached(traffic.solved(normal(paced(found))))))
+    found = apart(_rows(reached(traffic.solved(normal(paced(found))))), found)
     return (found.place.spec, found.ego.spec, *(c.spec for c in found.objects))  # type: ignore[return-value, arg-type]
 
 

@@ -99,13 +99,15 @@ def contact(requirement: Requirement, evidence: Evidence) -> Result:
     found = evidence.contacts(requirement.actor, requirement.other or EGO)
     if found:
         evidence.times[requirement.id] = found[0].time
-        return scored(requirement, 1.0, "contact", f"contact at {found[0].time:.1f} s", found[0].time)
+        return scored(requirement, 1.0, "contact", f"contact at {found[0].time:.1f} s", found[0].time,
+                      measured=(0.0, 0.0, 0.0))  # fmt: skip
     one, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
     if one is None or other is None:
         return unknown(requirement, "contact", "not reached: one of the two is not there")
     n = min(len(one.x), len(other.x))
     gap = float(box_distance(one.poses[:n], other.poses[:n], one.size, other.size).min())
-    return scored(requirement, min(-0.05, -gap / 5), "contact", f"no nearer than {gap:.1f} m", due=to_meet(one, other))
+    return scored(requirement, min(-0.05, -gap / 5), "contact", f"no nearer than {gap:.1f} m", due=to_meet(one, other),
+                  measured=(gap, 0.0, 0.0))  # fmt: skip
 
 
 def part(requirement: Requirement, evidence: Evidence) -> Result:

@@ -26,13 +26,18 @@ AT_LINE = 3.0
 REACHED = 0.5
 """m/s within which a speed is reached."""
 
+NEAR = {"distance": "view", "ttc": "soon"}
+"""Bounds of how near is near, by what is watched."""
+
 Array = np.ndarray
 
 
 def required(scene: Scene) -> Iterator[Requirement]:
     for actor, i, phase in scene.phases():
         cid, path = component_of(actor), f"phases.{i}"
-        name, said, of = scene.named(actor), phase.action.replace("_", " "), f"{cid}.{path}.{phase.action}"
+        gives_up = phase.action == "overtake" and phase.abandoned
+        name, said = scene.named(actor), phase.action.replace("_", " ")
+        of = f"{cid}.{path}.{'abandoned' if gives_up else phase.action}"
         t = phase.trigger
         if t is not None and is_watched(t, actor) and scene.stated(cid, f"{path}.trigger"):
             yield scene.make("order", "begins_when", actor, f"{path}.trigger", f"{name}: {said} begins when "
@@ -85,6 +90,8 @@ def comes_about(requirement: Requirement, evidence: Evidence) -> float | None:
     """When what is watched first holds, s; None: never, or nothing was recorded of it."""
     v = requirement.values
     kind, value = str(v["watched"]), float(v["value"])  # type: ignore[arg-type]
+    if value < 0 and kind in NEAR:
+        value = bounds()["order"][NEAR[kind]]["value"]
     if kind == "time":
         return value
     if kind == "action":
@@ -187,6 +194,8 @@ def begins_when(requirement: Requirement, evidence: Evidence) -> Result:
     since = comes_about(requirement, evidence)
     if since is None:
         return decided(requirement, False, said, f"at {seen:.1f} s, and that never comes about", seen)
+    if float(v["value"]) < 0 and v["watched"] in NEAR:  # type: ignore[arg-type]
+        return _near(requirement, evidence, moments.onset(motion, str(v["action"]), seen))
     due = since + float(v["delay"])  # type: ignore[arg-type]
     begun = moments.onset(motion, str(v["action"]), seen)
     if v["action"] in moments.OVER_LINE and (over := moments.over_line(motion, seen)) is not None:
@@ -195,6 +204,17 @@ def begins_when(requirement: Requirement, evidence: Evidence) -> Result:
         # it stands there, or comes to rest then, having slowed down before
         begun = min(max(begun, due), seen)
     return _follows(requirement, begun, due, said, f"{begun:.1f} s, that at {since:.1f} s")
+
+
+def _near(requirement: Requirement, evidence: Evidence, begun: float) -> Result:
+    """Whether the two are near one another as a phase begins (s), where S says only that it waits for that."""
+    v, near = requirement.values, bounds()["order"][NEAR[str(requirement.values["watched"])]]["value"]
+    one, other = evidence.motion(str(v["subject"])), evidence.motion(str(v["than"]))
+    assert one is not None and other is not None
+    holds = np.flatnonzero(_of_two(str(v["watched"]), one, other, near))
+    off = float(np.abs(one.time[holds] - begun).min())
+    room = bounds()["order"]["begins"]["value"]
+    return scored(requirement, 1.0 - off / room * 2, "when they are near", f"{begun:.1f} s, {off:.1f} s off", begun)
 
 
 def ends_when(requirement: Requirement, evidence: Evidence) -> Result:
@@ -261,7 +281,8 @@ def closest(requirement: Requirement, evidence: Evidence) -> Result:
     touch = bool(evidence.contacts(requirement.actor, requirement.other or EGO))
     nearest = 0.0 if touch else float(gaps[at])
     margin = min(nearest - least, most - nearest) / max(0.5, 0.25 * least)
-    return scored(requirement, -1.0 if touch and least > 0 else margin, said, f"{nearest:.1f} m", float(one.time[at]))
+    return scored(requirement, -1.0 if touch and least > 0 else margin, said, f"{nearest:.1f} m", float(one.time[at]),
+                  measured=(nearest, least, most))  # fmt: skip
 
 
 def light_turns(requirement: Requirement, evidence: Evidence) -> Result:

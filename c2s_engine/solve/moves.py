@@ -29,6 +29,12 @@ SHARES = (1.0, 0.5, 0.25)
 """Of what the run says one is too early or late."""
 ROOM = 0.4
 """s by which the first event comes within its bounds."""
+CLOSES = ("threatens", "reacts")
+"""Checks of dangers, which closing in on one another makes."""
+SLOWER = (0.85, 0.7)
+"""Of the speed of the one ahead."""
+ACTS = 4.0
+"""s after which one acts, where the run does not tell."""
 TIMES = ("first_event", "reacts")
 """Checks of moments that the whole scene's coming earlier or later mends."""
 
@@ -75,11 +81,26 @@ def _exact(structure: Structure, requirement: Requirement, result: Result, open_
     if result.due is not None:
         whole, *parts = (list(_in_time(structure, requirement, share * result.due, open_, usual)) for share in SHARES)
         yield from (*whole[:1], *(part[0] for part in parts if part), *whole[1:2])
+    if requirement.check in CLOSES:
+        yield from _closing(structure, requirement, result, open_)
     if requirement.check in TIMES and result.value is not None and result.bounds is not None:
         below = result.value < result.bounds[0]
         due = result.bounds[0] + ROOM if below else result.bounds[1] - ROOM
         if below or requirement.check == "first_event":
             yield _later(structure, due - result.value, result.time or 0.0, open_, usual)
+
+
+def _closing(structure: Structure, requirement: Requirement, result: Result,
+             open_: Sequence[Unknown]) -> Iterator[Move]:  # fmt: skip
+    """The one ahead slower, and so much further ahead that ego is as near to it as before when it acts."""
+    who = component_of(next((w for w in (requirement.other, requirement.actor) if w not in (None, EGO)), EGO) or EGO)
+    spec, speed, gap = structure[who].spec, find(open_, who, "speed"), find(open_, who, "placement.gap")
+    if speed is None or gap is None or not isinstance(spec, ObjectSpec) or _back(spec) > 0:
+        return
+    seconds = result.time if result.time is not None else ACTS
+    for share in SLOWER:
+        slower = speed.within(share * speed.value)
+        yield (*speed.set_to(slower), *gap.set_to(gap.value + (speed.value - slower) * seconds))
 
 
 def _later(structure: Structure, seconds: float, begins: float, open_: Sequence[Unknown], usual: Usual) -> Move:
@@ -158,12 +179,14 @@ def _parting(spec: ObjectSpec, own: float, speed: float) -> float:
 
 
 def _for(requirement: Requirement, result: Result, open_: Sequence[Unknown]) -> Iterator[Move]:
-    for row in _table().get(requirement.check, ()):
+    table = _table()
+    measured = table["measured"] if result.value is not None and result.bounds is not None else ()
+    for row in (*table.get(requirement.check, ()), *table["any"], *measured):
         if row.get("seen") and row["seen"] != _side(result):
             continue
         whose = _whose(row["of"], requirement)
         fields = [u for u in open_ if u.component in whose and u.path.rsplit(".", 1)[-1] == row["field"]]
-        yield from filter(None, (u.set_to(u.value * float(row["times"])) for u in fields))
+        yield from filter(None, (u.set_to(u.value * row.get("times", 1.0) + row.get("plus", 0.0)) for u in fields))
 
 
 def _side(result: Result) -> str:

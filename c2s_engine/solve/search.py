@@ -1,11 +1,12 @@
 """A bounded climb: what is tried is kept where more of what is required is seen, or by more."""
 
-from collections.abc import Awaitable, Callable, Sequence
+import math
+from collections.abc import Awaitable, Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from c2s_engine.solve.moves import Move, moves
-from c2s_engine.solve.unknowns import Field, chosen, unknowns
+from c2s_engine.solve.unknowns import Field, Unknown, chosen, unknowns
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.write.typed import ResolveError
@@ -13,6 +14,10 @@ from c2s_engine.write.typed.usual_values import Usual, usual_values
 
 MOST = 12
 """Runs that one search may cost."""
+FLAT = 0.01
+"""By how little a measure differs (m, m/s, s) where an unknown does nothing for it."""
+INSIDE = 0.3
+"""Of its bounds' width, how far inside them a measure is brought."""
 ENDING = ("soon_over",)
 """Checks of the run's length, which is chosen exactly."""
 
@@ -51,16 +56,19 @@ async def solve(first: Outcome, evaluate: Evaluate, room: float, *, most: int = 
 
     `freed`: fields that the text says and that may be changed nevertheless."""
     best, tried = first, 0
-    seen = {_open_values(first.structure, room, freed)}
+    known = [_Known(first, _open_values(first.structure, room, freed))]
+    seen = [known[0].values]
     while best.failing and tried < most:
         better = None
-        for changed in _candidates(best, room, freed):
-            key = _open_values(changed, room, freed)
-            if key in seen or tried >= most:
+        for changed in _candidates(best, known, room, freed):
+            values = _open_values(changed, room, freed)
+            if values in seen or tried >= most:
                 continue
-            seen.add(key)
+            seen.append(values)
             tried += 1
             found = await evaluate(changed)
+            if found is not None:
+                known.append(_Known(found, values))
             if found is not None and found.score > best.score:
                 better = found
                 break
@@ -70,15 +78,49 @@ async def solve(first: Outcome, evaluate: Evaluate, room: float, *, most: int = 
     return best
 
 
-def _candidates(outcome: Outcome, room: float, freed: tuple[Field, ...]) -> Sequence[Structure]:
-    """What may be better than an S, the most promising first."""
+@dataclass(frozen=True)
+class _Known:
+    """What was tried: what it came to, with the value of each unknown."""
+
+    outcome: Outcome
+    values: dict[Field, float]
+
+
+def _candidates(outcome: Outcome, known: Sequence[_Known], room: float,
+                freed: tuple[Field, ...]) -> Iterator[Structure]:  # fmt: skip
+    """What may be better than an S, the most promising first; `known`: what was tried so far, which grows."""
     structure = outcome.structure
     try:
         usual = usual_values(structure, room)
     except ResolveError:
-        return ()
+        return
     open_ = unknowns(structure, usual, freed)
-    return [_with(structure, move) for move in moves(structure, outcome.failing, open_, usual) if move]
+    others = moves(structure, outcome.failing, open_, usual)
+    tried = 0
+    for move in others:
+        while tried < len(known):  # what is known by now may tell how far
+            tried += 1
+            yield from (_with(structure, found) for found in _along(outcome, known[tried - 1], open_) if found)
+        if move:
+            yield _with(structure, move)
+
+
+def _along(outcome: Outcome, other: _Known, open_: Sequence[Unknown]) -> Iterator[Move]:
+    """Where an unknown that alone was another in `other` made what is measured another, as much of it as brings that
+    within its bounds, by the slope (secant)."""
+    differ = [u for u in open_ if u.component != "T" and other.values.get((u.component, u.path), u.value) != u.value]
+    if len(differ) != 1:
+        return
+    unknown, was = differ[0], {r.requirement: r.value for r in other.outcome.results}
+    for _, result in outcome.failing:
+        before = was.get(result.requirement)
+        if result.value is None or result.bounds is None or before is None or abs(before - result.value) < FLAT:
+            continue
+        low, high = result.bounds
+        inside = INSIDE * (high - low) if math.isfinite(high - low) else 0.0
+        goal = low + inside if result.value < low else high - inside
+        slope = (before - result.value) / (other.values[unknown.component, unknown.path] - unknown.value)
+        yield unknown.set_to(unknown.value + (goal - result.value) / slope, 2)
 
 
 def _with(structure: Structure, move: Move) -> Structure:
@@ -87,10 +129,10 @@ def _with(structure: Structure, move: Move) -> Structure:
     return structure
 
 
-def _open_values(structure: Structure, room: float, freed: tuple[Field, ...]) -> tuple[tuple[str, str, float], ...]:
+def _open_values(structure: Structure, room: float, freed: tuple[Field, ...]) -> dict[Field, float]:
     """What is chosen for all unknowns: what tells one candidate from another."""
     try:
         usual = usual_values(structure, room)
     except ResolveError:
         usual = Usual()
-    return tuple((u.component, u.path, u.value) for u in unknowns(structure, usual, freed))
+    return {(u.component, u.path): u.value for u in unknowns(structure, usual, freed)}

@@ -7,11 +7,13 @@ from dataclasses import dataclass
 
 from c2s_engine.structure.components import FITTED, Assumption, Component, ComponentId, Structure
 from c2s_engine.structure.edits import EditError, SetField, apply
+from c2s_engine.structure.leaves import value_at
 from c2s_engine.structure.quantity import Quantity, in_words, middle
 from c2s_engine.structure.sentences import retold
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed.tables import APPROACH_ANGLE
 from c2s_engine.write.typed.usual_values import Usual
+from c2s_engine.write.typed.watching import METRES, SECONDS
 
 PLANNER = "planner"
 """Who chose, in `assumed`."""
@@ -21,8 +23,11 @@ BY_OTHERS = ("wait", "stationary", "cross_road", "yield", "follow", "go_straight
 STANDS_FOR = 3.0
 """s for which one waits first, where nothing says how long."""
 LIMITS = {"gap": (2.0, 250.0), "speed": (1.0, 36.0), "rate": (1.0, 9.0), "duration": (1.0, 60.0),
-          "distance": (15.0, 190.0), "trigger": (1.0, 15.0), "later": (-30.0, 30.0)}  # fmt: skip
-"""What may be chosen, by the last part of the path: m, m/s, m/s2, s, m, s, s."""
+          "distance": (15.0, 190.0), "trigger": (1.0, 15.0), "later": (-30.0, 30.0), "value": (1.0, 190.0)}  # fmt: skip
+"""What may be chosen, by the last part of the path: m, m/s, m/s2, s, m, s, s, m or s."""
+NEAR = {"distance": METRES, "ttc": SECONDS}
+"""How near is near, by what a condition watches, where S does not say: m, s."""
+UNITS = {"distance": "m", "ttc": "s"}
 STRAYS = 0.3
 """The share of what is usual by which a speed may be higher or lower."""
 
@@ -111,7 +116,10 @@ def chosen(structure: Structure, unknown: Unknown, value: Quantity, reason: str 
         changed = apply(structure, SetField(component=unknown.component, path=field, value=setting))
     except EditError:
         return structure
-    note = Assumption(field=field, value=in_words(field, value), reason=reason, by=by)
+    said = in_words(field, value)
+    if field.endswith(".value"):
+        said += f" {UNITS[value_at(structure[unknown.component].spec, field.removesuffix('value') + 'kind')]}"  # type: ignore[index]
+    note = Assumption(field=field, value=said, reason=reason, by=by)
     others = tuple(a for a in kept if a.field != field)
     changed = changed.with_component(changed[unknown.component].model_copy(update={"assumed": (*others, note)}))
     return retold(structure, changed)
@@ -137,6 +145,7 @@ def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator
             before_it = [p.action for p in spec.phases[i + 1 : i + 3] if p.trigger is None] == ["brake", "collide"]
             untimed = is_open(f"phases.{i}.trigger", phase.trigger) and not timed and not before_it
             hits = any(p.action == "collide" and (p.speed is not None or p.pace) for p in spec.phases[i + 1 : i + 2])
+            yield from _nearnesses(cid, i, phase, is_open)
             if phase.action != "accelerate" or not hits:  # that says how fast it is by then
                 own = _of_phase(cid, i, phase, speed, untimed, is_open)
                 yield from (u for u in own if not (by_contact and u.path.endswith("rate")))
@@ -148,6 +157,14 @@ def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator
         yield Unknown(cid, "distance", usual.distance)
     if cid == "T" and is_open("duration", getattr(spec, "duration", None)) and not getattr(spec, "terminate_when", ()):
         yield Unknown(cid, "duration", usual.duration)
+
+
+def _nearnesses(cid: ComponentId, i: int, phase: Phase, is_open: Callable[[str, object], bool]) -> Iterator[Unknown]:
+    """How near somebody has to be for a phase to begin or to end, where S says only that it is."""
+    for name, condition in (("trigger", phase.trigger), ("until", phase.until)):
+        if condition is not None and condition.kind in NEAR and is_open(f"phases.{i}.{name}.value", condition.value):
+            value = NEAR[condition.kind] if condition.value is None else middle(condition.value)
+            yield Unknown(cid, f"phases.{i}.{name}.value", value)
 
 
 def _of_phase(cid: ComponentId, i: int, phase: Phase, speed: float, untimed: bool,

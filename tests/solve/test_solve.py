@@ -135,6 +135,57 @@ async def test_the_search_is_bounded_and_the_same_each_time():
     assert trails[0] == trails[1] and 0 < len(trails[0]) <= 5
 
 
+@pytest.mark.parametrize("slope", [-0.4, 0.15])
+async def test_how_far_is_told_by_what_was_tried(slope):
+    """A measure that depends on one unknown is brought within its bounds by the slope between two runs."""
+    structure = lead(speed=14.0, placement=Placement(gap=30.0))  # only when it brakes is open
+
+    def measured(structure: Structure) -> Outcome:
+        trigger = structure["O1"].spec.phases[0].trigger
+        begins = trigger.value if trigger is not None else 3.0
+        value = 1.0 + slope * (begins - 3.0) if slope > 0 else 2.0 + slope * (begins - 3.0)
+        low, high = 1.5, 1.6
+        off = max(low - value, value - high)
+        found = Result(requirement="T.c", holds=off <= 0, robustness=-off, value=value, bounds=(low, high))
+        of = Requirement(id="T.c", kind="outcome", component="O1", actor="O1", text="c", check="closest")
+        return Outcome(structure, (of,), (found,))
+
+    tried = []
+
+    async def evaluate(structure: Structure) -> Outcome:
+        tried.append(structure)
+        return measured(structure)
+
+    best = await solve(measured(structure), evaluate, 1.0)
+    assert not best.failing and len(tried) <= 3
+
+
+@pytest.mark.parametrize("kind, unit", [("distance", "m"), ("ttc", "s")])
+@pytest.mark.parametrize("field", ["trigger", "until"])
+def test_how_near_is_near_is_open_where_s_does_not_say(kind, unit, field):
+    phase = Phase(action="lane_change", side="left", **{field: Trigger(kind=kind, of="ego")})
+    structure = lead().with_spec("O1", phases=(phase,))
+    near = next(u for u in unknowns(structure, usual_values(structure, 1.0)) if u.path == f"phases.0.{field}.value")
+    changed = chosen(structure, near, 2 * near.value)
+    assert [a.value for a in changed["O1"].assumed] == [f"{2 * near.value:g} {unit}"]
+    said = changed.with_component(changed["O1"].model_copy(update={"assumed": ()}))
+    assert near.path not in {u.path for u in unknowns(said, usual_values(said, 1.0))}
+
+
+def test_who_is_to_be_a_danger_is_slower_and_as_much_further_ahead():
+    structure = lead(placement=Placement(position="right_lane", along="ahead"))
+    usual = usual_values(structure, 1.0)
+    of = Requirement(id="O1.threat", kind="conflict", component="O1", actor="O1", text="c", check="threatens")
+    found = Result(requirement="O1.threat", holds=False, robustness=-1.0)
+    for move in moves(structure, [(of, found)], unknowns(structure, usual), usual):
+        new = {u.path: value for u, value in move}
+        if new.keys() == {"speed", "placement.gap"}:
+            slower = usual.speeds["O1"] - new["speed"]
+            assert slower > 0 and math.isclose(new["placement.gap"] - usual.gaps["O1"], 4.0 * slower, abs_tol=0.2)
+            return
+    raise AssertionError("no such move")
+
+
 def test_the_scene_begins_earlier_with_everybody_as_far_off_as_they_drive():
     structure = lead(placement=Placement(position="parked"), speed=0.0)
     usual = usual_values(structure, 1.0)

@@ -298,8 +298,8 @@ def _gets_past(actor: Actor, cid: str) -> bool:
         return True
     if any(p.action in ("overtake", "swerve") and (p.target or "ego") == cid for p in actor.spec.phases):
         return True
-    near = (p.trigger for p in actor.spec.phases if p.trigger and p.action in ("lane_change", "swerve"))
-    if any(t.kind in ("distance", "ttc") and t.value is not None and (t.of or "ego") == cid for t in near):
+    near = (p.trigger for p in actor.spec.phases if p.trigger and p.action in ("lane_change", "cut_in", "swerve"))
+    if any(t.kind in ("distance", "ttc") and (t.of or "ego") == cid for t in near):
         return True
     if cid == "ego" or not {"cut_out", "lane_change", "swerve", "overtake"} & {p.action for p in actor.spec.phases}:
         return False

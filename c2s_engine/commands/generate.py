@@ -152,7 +152,7 @@ def as_dict(done: Finished) -> dict[str, Any]:
         "ok": done.ok,
         "structure": components,
         "not_understood": [u.model_dump(mode="json") for u in done.structure.not_understood],
-        "account": [c.model_dump(mode="json") for c in account(done.structure)],
+        "account": [c.model_dump(mode="json") for c in account(done.structure, done.details.get("without_effect", ()))],
         "program": done.program.text,
         "source_map": [s.model_dump(mode="json") for s in done.program.spans],
         "stages": [s.model_dump(mode="json") for s in done.stages],

@@ -38,7 +38,7 @@ def interpret(
             found = EmbeddedInterpreter().interpret(description)
             idle = asyncio.run(Engine().without_effect(description))
     if as_json:
-        told = [c.model_dump(mode="json") for c in account(found.structure)]
+        told = [c.model_dump(mode="json") for c in account(found.structure, idle)]
         dump({"structure": found.structure.model_dump(mode="json"), "account": told, "stages": found.stages,
               "without_effect": [u.model_dump(mode="json") for u in idle]})  # fmt: skip
         raise typer.Exit(OK)

@@ -33,7 +33,7 @@ def _span(token: Any) -> Span:
 
 def _parts(sentence: Any) -> list[Any]:
     """What stands between the commas and the like of a sentence."""
-    marks = [t.i - sentence.start for t in sentence if t.is_punct and t.text not in "'’\"-"]
+    marks = [t.i - sentence.start for t in sentence if t.is_punct and t.text not in "'’\"-/"]
     edges = zip([-1, *marks], [*marks, len(sentence)], strict=True)
     return [sentence[a + 1 : b] for a, b in edges if b > a + 1]
 

@@ -23,7 +23,9 @@ def dossier(material: Material, blind: bool = False) -> dict[str, Any]:
         "id": material.id,
         "matters": material.matters,
         "text": material.text,
-        "account": [{**c.model_dump(mode="json"), "reason": c.reason} for c in account(material.structure)],
+        "account": [
+            {**c.model_dump(mode="json"), "reason": c.reason} for c in account(material.structure, material.idle)
+        ],
         "structure": [_component(c) for c in material.structure.components],
         "problem": material.problem,
         "faults": [] if blind else [f"{d.stage}: {d.message}" for d in material.faults],

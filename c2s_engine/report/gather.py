@@ -122,6 +122,8 @@ async def of_text(
             done = event
     if done is None:
         return Material(id=told.id, text=told.text, matters=told.matters, problem=said or "Nothing came of the text.")
+    read_here = told.structure is None and done.structure.text and (method or engine.settings.method) == "embedded"
+    idle = await engine.without_effect(told.text) if read_here else ()
     facts = done.facts[0] if done.facts else None
     name, folder = done.details.get("map") or "", done.details.get("folder")
     others = (
@@ -130,7 +132,7 @@ async def of_text(
     )  # fmt: skip
     return Material(
         id=told.id, text=told.text, matters=told.matters, origin=f"method {method or engine.settings.method}",
-        structure=done.structure, program=done.program, faults=done.diagnostics, facts=facts, ways=ways,
+        structure=done.structure, idle=idle, program=done.program, faults=done.diagnostics, facts=facts, ways=ways,
         results=done.results, drivers=others, seed=seed,
         map_name=name, map_digest=_digest_of(done.program, folder), problem=problem_of(done.diagnostics, facts),
     )  # fmt: skip

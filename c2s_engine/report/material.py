@@ -3,7 +3,7 @@
 from pydantic import BaseModel, ConfigDict
 
 from c2s_engine.session.other_drivers import OtherDriver
-from c2s_engine.structure.components import Structure
+from c2s_engine.structure.components import Structure, Unmet
 from c2s_engine.structure.diagnostics import Diagnostic
 from c2s_engine.structure.facts import RunFacts, Trajectories
 from c2s_engine.structure.program import Program
@@ -24,6 +24,7 @@ class Material(BaseModel):
     matters: str = ""  # what matters most to who wrote the text, in their words
     origin: str = ""  # where S comes from: a method, a session, an imported program
     structure: Structure = Structure()
+    idle: tuple[Unmet, ...] = ()  # phrases of the text without which S would be the same
     program: Program = Program(text="")
     faults: tuple[Diagnostic, ...] = ()
     facts: RunFacts | None = None

@@ -10,18 +10,18 @@ from typing import Any
 
 import numpy as np
 
+from c2s_engine.require import arriving
 from c2s_engine.require.crossing import crosses
-from c2s_engine.require.due import arrival, conflict_begins, to_meet
+from c2s_engine.require.due import conflict_begins, to_meet
 from c2s_engine.require.evidence import Evidence, Motion
 from c2s_engine.require.geometry import box_distance, lead, post_encroachment, time_to_collision
 from c2s_engine.require.moments import OVER_LINE
 from c2s_engine.require.natural import MOVING
 from c2s_engine.require.outcome import struck as struck_pairs
-from c2s_engine.require.results import between, scored, span, unknown, words
+from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import EGO
-from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result, Value
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
 from c2s_engine.structure.triggers import gives_way_by
@@ -34,8 +34,6 @@ AHEAD_ONLY = ("stationary", "stop", "brake")
 """These threaten only who comes from behind."""
 TURNS = ("turn_left", "turn_right")
 APPROACHES = ("crossing_left", "crossing_right", "opposite_approach", "circulating")
-BESIDE = ("roadside", "sidewalk", "parked", "intersection_exit")
-"""Who comes from there does not come by a way that meets ego's."""
 ANSWERS = ("brake", "stop", "swerve", "lane_change", "yield", "wait")
 """What ego does of its own accord in answer to another, where it names whom or waits for what that one does."""
 WAYS = {"brake": ("brake", "stop", "wait"), "yield": ("brake", "stop", "wait", "yield"),
@@ -81,10 +79,14 @@ def _landmark(structure: Structure, cid: str | None) -> bool:
 
 
 def without_reaction(structure: Structure) -> Structure | None:
-    """S with ego's reaction switched off; None where S says no conflict, or ego's code is not written from S."""
-    if not any(r.check == "reacts" or r.values.get("reaction") for r in required(Scene(structure))):
+    """S with ego's reaction switched off; None where S says neither a conflict nor who comes when, where there is no
+    reaction, or where ego's code is not written from S."""
+    scene = Scene(structure)
+    needed = any(r.check == "reacts" or r.values.get("reaction") for r in required(scene))
+    if not needed and not any(True for _ in arriving.required(scene)):
         return None
-    return unaware(structure)
+    changed = unaware(structure)
+    return changed if changed.ego.spec != structure.ego.spec else None
 
 
 def unaware(structure: Structure) -> Structure:
@@ -124,7 +126,6 @@ def _gone_through_with(phase: Phase) -> Phase:
 def required(scene: Scene) -> Iterator[Requirement]:
     if not scene.recognised(EGO):
         return
-    yield from _arriving(scene)
     reacts = scene.ego.reaction != "none" or any(answers(p, scene.structure) for p in scene.ego.phases)
     struck = {frozenset(pair) for pair in struck_pairs(scene)}
     for actor in _threats(scene, reacts):
@@ -156,19 +157,6 @@ def _turns_off(scene: Scene, actor: str) -> bool:
     spec = scene.objects[actor]
     circles = scene.place.kind == "roundabout" and spec.placement.position == "circulating"
     return circles and any(p.action == "turn_right" for p in spec.phases)
-
-
-def _arriving(scene: Scene) -> Iterator[Requirement]:
-    """When those are where their ways meet ego's of whom S says that."""
-    for actor, spec in scene.objects.items():
-        arrives = spec.placement.arrives
-        if arrives is None or spec.placement.position in BESIDE or not scene.stated(actor, "placement.arrives"):
-            continue
-        least, most = low(arrives), high(arrives)
-        when = f"{abs(least):g} s {'after' if least >= 0 else 'before'} ego" if least or most else "together with ego"
-        text = f"{scene.named(actor)} is where their ways meet {when}, were neither to react."
-        yield scene.make("conflict", "arrives_where_ways_meet", actor, "placement.arrives", text, other=EGO,
-                         least=least, most=most)  # fmt: skip
 
 
 def _threats(scene: Scene, reacts: bool) -> list[str]:
@@ -245,19 +233,6 @@ def threatens(requirement: Requirement, evidence: Evidence) -> Result:
 
 def _due(one: Motion | None, ego: Motion | None) -> float | None:
     return to_meet(one, ego) if one and ego else None
-
-
-def arrives_where_ways_meet(requirement: Requirement, evidence: Evidence) -> Result:
-    """Measured where ego does not react, by when each first is where the other's body will be or has been."""
-    (least, most), said = span(requirement), f"{words(requirement, 's')} after ego"
-    run = evidence.without or evidence
-    one, ego = run.motion(requirement.actor), run.motion(EGO)
-    seen = arrival(one, ego) if one and ego else None
-    if seen is None:
-        return scored(requirement, -1.0, said, "their ways do not meet")
-    due = round(least - seen if seen < least else most - seen, 2)
-    room = bounds()["conflict"]["together"]["value"]
-    return between(requirement, seen, room, said, f"{seen:.1f} s", due=due)
 
 
 def _unhindered(actor: str, other: Evidence, evidence: Evidence) -> Motion | None:
@@ -418,4 +393,4 @@ def _onset(motion: Motion, action: str) -> float | None:
     return float(motion.time[int(np.argmax(moved))]) if moved.any() else None
 
 
-CHECKS = {"threatens": threatens, "reacts": reacts, "arrives_where_ways_meet": arrives_where_ways_meet}
+CHECKS = {"threatens": threatens, "reacts": reacts}

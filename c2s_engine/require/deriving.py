@@ -2,6 +2,7 @@
 
 from c2s_engine.require import (
     actors,
+    arriving,
     conflict,
     crossing,
     giving_way,
@@ -22,7 +23,7 @@ from c2s_engine.structure.requirements import Requirement
 
 PARTS = (
     road, actors, starts, phases, manoeuvres, watched, crossing,
-    outcome, conflict, giving_way, natural, rules, limits, pace,
+    outcome, arriving, conflict, giving_way, natural, rules, limits, pace,
 )  # fmt: skip
 """Phases come before what reads their moments."""
 

@@ -5,7 +5,6 @@ from collections.abc import Iterator
 import numpy as np
 
 from c2s_engine.require.evidence import Evidence
-from c2s_engine.require.geometry import HORIZON
 from c2s_engine.require.results import between, decided, scored, span, unknown, words
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO
@@ -33,8 +32,6 @@ OFF_LANES = ("roadside", "sidewalk", "parked")
 VEHICLES = ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck")
 ACROSS = 0.7
 """The sine of the angle to ego's way from which one looks across it."""
-IN_MIDDLE = 0.15
-"""m from the middle of ego's way within which one is there."""
 
 
 def required(scene: Scene) -> Iterator[Requirement]:
@@ -87,14 +84,6 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
         least, most = low(place.lateral), high(place.lateral)
         text = f"{name} starts with {least:g} m between it and {of} across the road."
         yield scene.make("start", "lateral", actor, "placement.lateral", text, other=place.of, least=least, most=most)
-    halts = any(p.action == "cross_road" and p.abandoned for p in spec.phases)  # beside ego's way
-    timed = place.arrives is not None and not halts and scene.stated(actor, "placement.arrives")
-    if place.arrives is not None and timed and place.position in (*OFF_LANES, "intersection_exit"):
-        least, most = low(place.arrives), high(place.arrives)
-        where = "ego's way" if spec.type in VEHICLES else "the middle of ego's way"
-        text = f"{name} is in {where} {abs(least):g} s {'after' if least >= 0 else 'before'} ego's " \
-            "front, were neither to react."  # fmt: skip
-        yield scene.make("conflict", "arrives", actor, "placement.arrives", text, least=least, most=most)
     if place.hidden_by is not None:
         hider = scene.objects.get(place.hidden_by)
         passes = place.position in OFF_LANES and hider is not None and hider.placement.position in NEXT_LANES
@@ -236,45 +225,6 @@ def lanes_over(requirement: Requirement, evidence: Evidence) -> Result:
     return scored(requirement, 1.0 - off / 0.5, said, f"{over:.1f}", 0.0)
 
 
-def arrives(requirement: Requirement, evidence: Evidence) -> Result:
-    """Measured where ego does not react, on the ways and speeds up to their first contact."""
-    room, said = bounds()["conflict"]["arrives"]["value"], f"{words(requirement, 's')} after ego"
-    run = evidence.without or evidence
-    one, ego = run.motion(requirement.actor), run.motion(EGO)
-    if one is None or ego is None or not one.course.ego_aside:
-        return unknown(requirement, said, "not reached: one of the two is not there")
-    aside, along = one.of_course("ego_aside"), one.of_course("ego_along")
-    within, reaches = IN_MIDDLE, 0.0
-    if one.kind in VEHICLES:  # as soon as its body is in ego's way
-        turn = one.heading[:1] - ego.heading[0]
-        within = float(ego.size[1] + np.abs(np.sin(turn[0])) * one.size[0] + np.abs(np.cos(turn[0])) * one.size[1]) / 2
-        reaches = 0.5 * float(np.abs(np.cos(turn[0])) * one.size[0])
-    time = _moment(one.time, np.sign(aside[0]) * np.abs(aside) - np.sign(aside[0]) * within)
-    if time is None:
-        return scored(requirement, -1.0, said, "it does not come to the middle of ego's way")
-    front = ego.of_course("along") + ego.size[0] / 2 - float(np.interp(time, one.time, along)) - reaches
-    there = _moment(ego.time, front)
-    if there is None:
-        return scored(requirement, -1.0, said, "ego does not come there")
-    seen = time - there
-    least, most = span(requirement)
-    due = round(least - seen if seen < least else most - seen, 2)
-    return between(requirement, seen, room, said, f"{seen:.1f} s", time, due=due)
-
-
-def _moment(time: np.ndarray, values: np.ndarray) -> float | None:
-    """When values pass 0; had they gone on as they did at last, where a contact ended
-    them. None: never."""
-    reached = np.flatnonzero(np.sign(values) != np.sign(values[0]))
-    if len(reached):
-        k = int(reached[0])
-        step = values[k] - values[k - 1] if k else 0.0
-        return float(time[k] - (values[k] / step * (time[k] - time[k - 1]) if abs(step) > 1e-6 else 0.0))
-    rate = (values[-1] - values[-3]) / (time[-1] - time[-3]) if len(values) > 2 else 0.0
-    ahead = -values[-1] / rate if abs(rate) > 0.1 else -1.0
-    return float(time[-1] + ahead) if 0 <= ahead < HORIZON else None
-
-
 def facing(requirement: Requirement, evidence: Evidence) -> Result:
     motion = evidence.motion(requirement.actor)
     stay = motion.stay(0.0) if motion else None
@@ -287,7 +237,5 @@ def facing(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 CHECKS = {"start_lane": start_lane, "start_along": start_along, "start_side": start_side, "start_gap": start_gap,
-          "lateral": lateral, "lanes_over": lanes_over, "arrives": arrives,
-          "off_lanes": off_lanes, "partly_in": partly_in, "hidden": hidden,
-          "comes_hidden": comes_hidden,
-          "facing": facing}  # fmt: skip
+          "lateral": lateral, "lanes_over": lanes_over, "off_lanes": off_lanes, "partly_in": partly_in,
+          "hidden": hidden, "comes_hidden": comes_hidden, "facing": facing}  # fmt: skip

@@ -22,7 +22,7 @@ BY_OTHERS = ("wait", "stationary", "cross_road", "yield", "follow", "go_straight
 """First phases whose moment follows from where others are or from the place, or that have none."""
 STANDS_FOR = 3.0
 """s for which one waits first, where nothing says how long."""
-LIMITS = {"gap": (2.0, 250.0), "speed": (1.0, 36.0), "rate": (1.0, 9.0), "duration": (1.0, 60.0),
+LIMITS = {"gap": (2.0, 400.0), "speed": (1.0, 36.0), "rate": (1.0, 9.0), "duration": (1.0, 60.0),
           "distance": (15.0, 190.0), "trigger": (1.0, 15.0), "later": (-30.0, 30.0), "value": (1.0, 190.0)}  # fmt: skip
 """What may be chosen, by the last part of the path: m, m/s, m/s2, s, m, s, s, m or s."""
 NEAR = {"distance": METRES, "ttc": SECONDS}

@@ -44,9 +44,10 @@ class Clause(Frozen):
         return "; ".join(dict.fromkeys(u.reason for u in self.lost))
 
 
-def account(structure: Structure) -> tuple[Clause, ...]:
-    """Every clause of S's text, in order; all that is not white space lies in exactly one of them."""
-    return tuple(_clause(structure, span) for span in covering(structure.text, structure.clauses))
+def account(structure: Structure, idle: Sequence[Unmet] = ()) -> tuple[Clause, ...]:
+    """Every clause of S's text, in order; all that is not white space lies in exactly one of them. `idle`: phrases of
+    the text without which S would be the same."""
+    return tuple(_clause(structure, span, idle) for span in covering(structure.text, structure.clauses))
 
 
 def covering(text: str, clauses: Sequence[Span] = ()) -> list[Span]:
@@ -87,7 +88,7 @@ def _wordy(text: str, spans: list[Span]) -> list[Span]:
     return found
 
 
-def _clause(structure: Structure, span: Span) -> Clause:
+def _clause(structure: Structure, span: Span, idle: Sequence[Unmet]) -> Clause:
     components = [c.id for c in structure.components if any(_meets(link.span, span) for link in c.links)]
     said = dict.fromkeys(
         (c.id, li.field) for c in structure.components for li in c.links if li.field and _meets(li.span, span)
@@ -95,7 +96,7 @@ def _clause(structure: Structure, span: Span) -> Clause:
     fields = [f"{cid}.{path}" for cid, path in said if is_set(structure[cid].spec, path)]
     gone = [GONE.format(f"{cid}.{path}") for cid, path in said if f"{cid}.{path}" not in fields]
     unmet = _inside((u for c in structure.components for u in c.unmet), span)
-    missed = _inside(structure.not_understood, span)
+    missed = _inside((*structure.not_understood, *idle), span)
     background = _inside(structure.background, span)
     whole = structure.text[slice(*span)]
     missed += tuple(Unmet(text=whole, reason=reason, span=span) for reason in gone)

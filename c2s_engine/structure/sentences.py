@@ -150,7 +150,9 @@ def obj(spec: ObjectSpec, names: dict[str, str] | None = None) -> str:
     if place.lateral is not None:
         text += f", {low(place.lateral):g} m to the side"
     if place.arrives is not None:
-        text += f", where their ways meet {_after(place.arrives, _named('ego', names))}"
+        beside = place.position == "oncoming_lane" and place.of != "ego"
+        where = f"level with {_named(place.of, names)}" if beside else "where their ways meet"
+        text += f", {where} {_after(place.arrives, _named('ego', names))}"
     if place.hidden_by:
         text += f", hidden by {_named(place.hidden_by, names)}"
     if spec.speed is not None and high(spec.speed) > 0.1:

@@ -134,8 +134,8 @@ class Placement(Spec):
     )
     arrives: Seconds | None = Field(
         None,
-        description="where its way meets ego's: how long after ego it is there if neither reacts, s; 0: together, "
-        "below 0: before ego",
+        description="where its way meets ego's (oncoming_lane of another: level with that one): how long after ego it "
+        "is there if neither reacts, s; 0: together, below 0: before ego",
     )
     later: Seconds | None = Field(
         None,

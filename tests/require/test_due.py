@@ -1,5 +1,6 @@
 """By how much one is too early or too late for what is required: another run, moved by so much, shows it."""
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -10,13 +11,15 @@ from c2s_engine.require.due import to_touch
 from c2s_engine.require.evidence import Evidence
 from c2s_engine.require.geometry import face
 from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.facts import EventFact
 from c2s_engine.structure.requirements import Result
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, Trigger
 
 EGO = Actor("ego", "E", speed=10.0)
 CROSSES = Actor("van", "O1", speed=8.0, x=-64.0, y=80.0, across=True)
 """At ego's lane at 8 s, as ego is."""
 COLLIDES = ObjectSpec(placement=Placement(position="crossing_left"), phases=(Phase(action="collide"),))
+LEAD = Component(id="O1", spec=ObjectSpec(name="lead", placement=Placement(position="ahead")))
 RUNS_RED = ObjectSpec(placement=Placement(position="crossing_left"), phases=(Phase(action="run_red"),))
 
 
@@ -62,6 +65,43 @@ def test_a_stated_arrival_where_ways_meet_is_measured(late, holds):
     found = result(spec, late, "arrives_where_ways_meet")
     assert found.holds is holds and found.value == pytest.approx(late, abs=0.3)
     assert (found.due is None) is holds
+
+
+@pytest.mark.parametrize(("late", "holds"), [(0.0, True), (0.3, True), (-1.5, False), (1.5, False)])
+def test_who_comes_towards_ego_is_level_with_another_as_ego_comes_up_to_that_one(late, holds):
+    """Ego comes up to the bicycle, 42 m ahead of it at 4 m/s, after 6.4 s."""
+    bicycle = ObjectSpec(name="rider", type="bicycle", placement=Placement(position="ahead"))
+    coming = ObjectSpec(placement=Placement(position="oncoming_lane", of="O1", arrives=0.0))
+    rider = Actor("rider", "O1", speed=4.0, y=42.0, kind="bicycle")
+    met = 42.0 + 4.0 * (6.4 + late) + 4.5
+    oncoming = Actor("van", "O2", speed=-10.0, x=-3.5, y=met + 10.0 * (6.4 + late), heading=math.pi)
+    run = Scene([EGO, rider, oncoming], seconds=9.0).run()
+    of = Structure(objects=(Component(id="O1", spec=bicycle), Component(id="O2", spec=coming)))
+    (found,) = evaluate([r for r in require(of) if r.check == "arrives_beside"], run.facts, run.trajectories)
+    assert found.holds is holds and found.value == pytest.approx(late, abs=0.2)
+
+
+def test_of_two_that_are_said_to_touch_no_other_moment_is_required():
+    said = COLLIDES.model_copy(update={"placement": Placement(position="crossing_left", arrives=0.0)})
+    asked = {r.check for r in require(Structure(objects=(Component(id="O1", spec=said),)))}
+    assert "contact" in asked and not {c for c in asked if c.startswith("arrives")}
+
+
+@pytest.mark.parametrize(("gap", "holds"), [(30.0, True), (90.0, False)])
+@pytest.mark.parametrize("kind", ["distance", "ttc"])
+def test_how_near_is_near_is_left_to_the_run_where_s_does_not_say(gap, holds, kind):
+    """Another leaves its lane 2 s after the start, with ego so far from what stands ahead."""
+    trigger = Trigger(kind=kind, subject="ego", of="O1")
+    leaves = Phase(action="lane_change", trigger=trigger)
+    beside = ObjectSpec(placement=Placement(position="left_lane"), phases=(leaves,))
+    asked = Structure(objects=(LEAD, Component(id="O2", spec=beside)))
+    moves = ramp((0, -3.5), (2, -3.5), (4, -7), (12, -7))
+    other = Actor("van", "O2", x=moves, y=10.0, events=(EventFact(time=3.0, event="lane_change"),))
+    run = Scene([EGO, Actor("lead", "O1", speed=0.0, y=gap + 24.5), other]).run()
+    required = require(asked)
+    results = evaluate(required, run.facts, run.trajectories)
+    found = next(r for q, r in zip(required, results, strict=True) if q.check == "begins_when")
+    assert found.holds is holds
 
 
 @pytest.mark.parametrize("behind", [0.0, 12.0])

@@ -50,6 +50,22 @@ def test_each_clause_says_what_became_of_it() -> None:
     ]
 
 
+def test_what_makes_no_difference_is_lost_of_its_clause() -> None:
+    text = "A van brakes late. It is white."
+    van = Component(
+        id="O1", spec=ObjectSpec(name="van", type="van", phases=(Phase(action="brake"),)),
+        links=(
+            Link(kind="text", label="brakes", span=span_in(text, "brakes"), field="phases.0"),
+            Link(kind="text", label="It", span=span_in(text, "It")),
+        ),
+    )  # fmt: skip
+    idle = [Unmet(text=words, reason="the same", span=span_in(text, words)) for words in ("late", "It is white.")]
+    found = account(Structure(text=text, objects=(van,)), idle)
+    assert [(c.status, [u.text for u in c.lost]) for c in found] == [
+        ("partly", ["late"]), ("not_understood", ["It is white."])
+    ]  # fmt: skip
+
+
 def test_a_component_that_is_removed_leaves_its_clause_to_nobody() -> None:
     text = "A van brakes."
     van = Component(id="O1", spec=ObjectSpec(), links=(Link(kind="text", label="van", span=(2, 5)),))

@@ -63,7 +63,6 @@ def _tells(found: Scene, meant: str) -> bool:
 
 def _fitted(meant: str, rest: str, own: Scene, usual: Scene) -> str:
     """The type's meaning with the side and the road user that the text names in place of the usual ones."""
-    re.search(r"\bfrom (?:the |its )?(left|right)\b", rest)
     told = [e for e in own.cast.entities if e.mover and e.noun]
     replaced = usual.actors[0] if len(usual.actors) == 1 else None
     if replaced is not None and len(told) == 1 and told[0].count == 1:

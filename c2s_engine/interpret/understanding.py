@@ -31,7 +31,7 @@ from c2s_engine.interpret.where.other_lane import meets_ego, next_lane
 from c2s_engine.interpret.where.own_edge import on_own_edge
 from c2s_engine.interpret.where.protruding import protruding
 from c2s_engine.interpret.where.relations import Places
-from c2s_engine.interpret.where.struck import came_out_into, merged_into, pushed, twice
+from c2s_engine.interpret.where.struck import came_out_into, merged_into, pushed
 from c2s_engine.interpret.who.mentions import Cast
 
 
@@ -87,7 +87,6 @@ def understand(text: str) -> Scene:
     rules_of_sense(cast, clauses, road)
     left_untold(cast, clauses)
     limits = limits_told(plain, sentences, quantities, cast, clauses)
-    twice(clauses)
     settings = SettingsDetector().detect(plain, sentences)
     light = environment.light(plain, sentences)
     scene = Scene(text, plain, sentences, words, cast, clauses, places, road, settings, light)

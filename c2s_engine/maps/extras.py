@@ -95,11 +95,6 @@ class MapExtras:
                 return kind
         return None
 
-    def approach_end(self, road: int, at_end: bool) -> Point:
-        """Where a road meets its junction, on its reference line."""
-        shape = self.geometry[road]
-        return shape.at(shape.length if at_end else 0.0)[:2]
-
     def of_kind(self, *kinds: str) -> set[int]:
         """Ids of the junctions of those kinds."""
         return {j.id for j in self.junctions.values() if j.kind in kinds}

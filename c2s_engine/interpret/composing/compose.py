@@ -139,8 +139,6 @@ def _ego_light(scene: Scene) -> str | None:
     runner = next((e for e in scene.clauses.events if e.act == "run_red" and e.done and not e.agent.ego), None)
     if scene.does(ego, "run_red") is not None:
         return "red"
-    ordered = sorted(scene.light, key=lambda f: f.span[0])
-    ordered[-1] if ordered and ordered[0].value == "green" else None
     for found in scene.light:
         if found.value == "red" and runner is not None:
             start, end = _clause_span(runner)

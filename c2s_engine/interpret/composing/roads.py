@@ -23,7 +23,6 @@ def compose_place(scene: Scene) -> PlaceSpec:
     """The place spec of a scene."""
     road, ego = scene.road, scene.cast.ego
     turn = next((e for e in scene.events(ego) if e.act in ("turn", "u_turn")), None)
-    scene.does(ego, "go_straight")
     kind = road.kind
     at_junction = _at_junction(scene)
     if kind in (None, "straight", "curve") and at_junction:
@@ -40,14 +39,6 @@ def compose_place(scene: Scene) -> PlaceSpec:
         if turn is not None:
             sides = [side(e) for e in scene.events(ego) if e.act == "turn"]
             manoeuvre = "u_turn" if turn.act == "u_turn" else next((s for s in sides if s), "left")
-        re.search(
-            (
-                r"(?:un)?protected (left|right)|\b(left|right) turn\b(?! lane)"
-                r"|\bego,?( [^.;]{0,25})?, (left|right)\b(?! lane)"
-            ),
-            scene.plain,
-        )
-        any(e.act == "turn" and not e.agent.ego and e.done for e in scene.clauses.events)
         if manoeuvre is None and _ends_before(scene):
             manoeuvre = "straight"
         manoeuvre = manoeuvre or "straight"

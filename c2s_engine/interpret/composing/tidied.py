@@ -19,7 +19,6 @@ def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
             continue
         if found and found[-1].action == "lane_change" and phase.action == "drift" and phase.side == found[-1].side:
             continue
-        found[-1] if found and found[-1].action in ("brake", "stop") else None
         if found and found[-1].action == "stop" and phase.action == "brake" and phase.speed is phase.trigger is None:
             continue
         if found and found[-1].action == "enter_road" and phase.action in ("start", "lane_change"):

@@ -115,8 +115,6 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
     towards = next((side(e) for e in scene.events(scene.cast.ego) if e.act == "lane_change" and side(e)), None)
     if rel == "beside":
         return {"position": "beside", "side": edge or towards or "left", "said": True}
-    scene.does(entity, "collide")
-    scene.does(entity, "lane_change", "cut_in", "drift")
     if "cut_in" in acts or "cut_in" in roles:
         event = scene.does(entity, "cut_in")
         start = _cut_side(scene, entity) or "left"

@@ -173,9 +173,7 @@ def _title_only(scene: Scene, entity: Entity) -> bool:
     there = (where.lane, where.side) if where.lane is not None and where.gap is None else None
     again = any((scene.where(e).lane, scene.where(e).side) == there for e in later)
     open_still = where.open and where.side is None and where.gap is None or again or scene.words[last].norm == ":"
-    named = bool(later) and open_still and own <= done | {"travel"}
-    entity.roles & {"stationary", "slow", "parked"}
-    return named
+    return bool(later) and open_still and own <= done | {"travel"}
 
 
 def _title_ends(scene: Scene) -> int | None:

@@ -69,7 +69,6 @@ def _same_speeds(scene: Scene) -> None:
         near = [i for i in sorted(scene.cast.of) if scene.words[i].start < match.start()]
         by = [e for i in near[-3:] if (e := scene.cast.of[i]) in scene.actors and True]
         owner = by[-1] if by and by[-1] not in scene.speeds else owner
-        scene.where(owner).of if owner is not None and not owner.ego else None
 
 
 def _same_as_named(scene: Scene) -> None:
@@ -79,7 +78,6 @@ def _same_as_named(scene: Scene) -> None:
         named = [scene.cast.of[i] for i in sorted(scene.cast.of) if match.end() <= scene.words[i].start]
         if owner is None or not named or named[0] is owner:
             continue
-        [e for e in (owner, named[0]) if e in scene.speeds]
 
 
 def _by_difference(scene: Scene, quantities: list[Span]) -> None:

@@ -16,4 +16,3 @@ def shared_out(scene: Scene) -> None:
             spans = [s for s in told if s.data["dimension"] == dimension and s.data.get("role") != "limit"]
             listed = [s for s in spans if "each" in s.data]
             spans = listed if listed and not in_order else spans
-            [v for s in spans for v in s.data.get("each", (s.data["low"],))]

@@ -113,10 +113,10 @@ def _kind(names: list[str], road: Road) -> str | None:
         return "off_ramp"
     if "intersection" in names and not ("motorway" in names and road.no_intersection):
         return "intersection"
-    if "curve" in names:
-        return "curve"
     if "motorway" in names:
         return "motorway"
+    if "curve" in names:
+        return "curve"
     if "straight" in names:
         return "straight"
     return None

@@ -56,7 +56,6 @@ class Agents(Subjectless):
                         found = self.cast.referent(target)
                         if found:
                             return found, target, True
-                    [t for t in self._everything(child) if t in self.cast.of and t - child <= 4]
             by = self._late_by(word)
             if by is not None:
                 return self.cast.of[by], by, True
@@ -174,12 +173,6 @@ class Agents(Subjectless):
                 ):
                     above = self._governor(above) or above
             above = self._joined_verb(word, above)
-            if word.dep == "conj" and above is not None:
-                [
-                    c
-                    for c in above.children
-                    if above.i < c < word.i and self.words[c].dep == "conj" and self._is_verb(self.words[c])
-                ]
             if above is not None and above.i != word.i:
                 if word.dep == "csubj":
                     found = next(

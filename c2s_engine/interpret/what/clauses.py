@@ -187,17 +187,6 @@ class Clauses(Deverbal):
         if struck and not event.agent.ego:
             event.agent, event.patient = self.cast.ego, agent  # "the deer was hit"
         late: Event | None = None
-        (
-            re.search(
-                (
-                    r"into (the |a |an )?(side|rear|back|front|rear end|path)? ?(of )?(the |a "
-                    r"|an )?@(\w+)(?! 's (lane|path|way|view))\b"
-                ),
-                text,
-            )
-            if event.act in ("run_red", "run_stop", "lose_control", "oncoming", "swerve", "drift", "leave_road")
-            else None
-        )
         once = {"words": [word.i], "start": word.start, "end": word.end, "mode": event.mode}
         if event.act == "collide" and (lemma in ("reverse", "back") or BACKWARDS.match(text)):
             back = Event.echo(event, act="reverse", order=word.i - 0.1, **once)

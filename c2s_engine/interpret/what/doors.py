@@ -20,4 +20,3 @@ def doors_opened(cast: Cast, clauses: Clauses) -> None:
         who = None if verb.lemma in OPENS else None
         if who is None or who.ego or who.type not in MOTOR or who.roles & {"stationary", "lead"}:
             continue
-        [e for e in clauses.events if e.agent is who and e.done]

@@ -8,4 +8,3 @@ def story_first(cast: Cast, clauses: Clauses) -> None:
     """Put a blow that a headline tells behind what the story tells of: "Lorry hits cyclist. The lorry turned left"."""
     if not cast.headlined or not clauses.events:
         return
-    max(e.order for e in clauses.events)

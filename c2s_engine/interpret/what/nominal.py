@@ -59,7 +59,6 @@ class Nominal(Timing):
             return
         if any(e.agent.ego and e.act in HALTS | {"start"} for e in self.events):
             return
-        {"words": [before.i], "start": before.start, "end": before.end, "order": float(before.i)}
 
     def _named_by_deed(self, word: Word) -> None:
         """What the name of a road user tells of it: "an overtaking truck" overtakes ego."""

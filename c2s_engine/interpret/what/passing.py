@@ -41,8 +41,6 @@ def one_then_another(cast: Cast, clauses: Clauses) -> None:
         who = event.patient
         if event.act != "overtake" or who is None or who.ego:
             continue
-        nouns = [cast.words[i] for i in event.words if cast.of.get(i) is who and i > event.word]
-        [w.norm for w in cast.words[nouns[0].i - 3 : nouns[0].i]] if nouns else []
 
 
 def headings(cast: Cast, clauses: Clauses) -> None:
@@ -110,4 +108,3 @@ def across_the_bows(clauses: Clauses) -> None:
     for event in clauses.events:
         if event.act != "cross_path" or not event.done or clauses._lemma(clauses.words[event.word]) != "cut":
             continue
-        (e for e in clauses.events if e.agent is event.agent and e.done and e.order < event.order)

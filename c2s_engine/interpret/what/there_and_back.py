@@ -4,7 +4,6 @@ import re
 
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.overtakings import HOME
-from c2s_engine.interpret.what.towards import side
 
 COMES_BACK = re.compile(
     r"(?:come|get|go|move|steer|swing|pull|slip|drive|cut|find (?:its|his|her) way) (?:\w+ly |just |right )?back\b"
@@ -19,8 +18,6 @@ def there_and_back(clauses: Clauses) -> None:
     for event in clauses.events:
         if event.act not in ("lane_change", "cut_in") or not event.done or not HOME.search(event.text):
             continue
-        out = None
-        side(out) if out is not None else None
 
 
 def swerves_back(clauses: Clauses) -> None:

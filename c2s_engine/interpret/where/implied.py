@@ -104,7 +104,6 @@ FROM_OPPOSITE = re.compile(
 
 def _comes(event: Event, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Who comes while ego is in the lane of the other direction comes the other way."""
-    any(e.agent.ego and e.act == "oncoming" and e.done for e in clauses.events)
     if event.agent.ego and FROM_OPPOSITE.search(event.whole):
         for other, where in of.items():
             beside = where.rel is not None and (where.of is None or where.of.ego)
@@ -198,7 +197,6 @@ def _crosses(event: Event, clauses: Clauses, where: Where) -> None:
 
 def _urgent(clauses: Clauses) -> None:
     """An ambulance for which ego moves aside comes from behind."""
-    any(e.agent.ego and e.done and e.act in ("lane_change", "leave_road") for e in clauses.events)
 
 
 def _past_another(event: Event, clauses: Clauses, where: Where) -> None:

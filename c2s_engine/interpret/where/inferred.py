@@ -211,5 +211,4 @@ class Inferred(Concealed):
             plain,
         ):
             found = next(g for g in match.groups() if g)
-        re.search(r"(?:cent(?:er|re)|middle) lane(?!.*\b(?:left|right)(?:-hand|most)? lane)", plain)
         return found

@@ -5,7 +5,6 @@ import re
 
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.surroundings.whereabouts import (
-    FAR_AHEAD,
     FRONTED_FAR,
     STATES,
     Where,
@@ -61,12 +60,6 @@ class Places(OwnWords, Inferred):
         self.ego_lane: str | None = None
         for entity in cast.entities:
             self.of[entity] = self._where(entity)
-        for entity, where in self.of.items():
-            text = " ; ".join(t for _, t in where.phrases)
-            close = r"(?:directly|immediately|just|right) " if "lead" not in entity.roles else ""
-            re.search(rf"{close}(?:in front of|ahead of|behind) (?:the )?@ego in the (left|right)", text)
-            named = [self.words[m.word] for m in entity.mentions[:1]]
-            any("lane" in self._before(w) for w in named)  # "ego is in the middle lane with a van behind it"
         accompanied(cast, clauses, self.of)
         self.ego_lane = self.ego_lane or None
         in_line = ego_in_line(cast, clauses, self.of)
@@ -285,7 +278,6 @@ class Places(OwnWords, Inferred):
 
     def _fronted_far(self, word: Word, front: str, where: Where, entity: Entity) -> None:
         """A place and distance before a vehicle: "20 m behind the truck a motorcycle follows"."""
-        FAR_AHEAD.match(front + " ") if not entity.mover and where.gap is None else None
         match = FRONTED_FAR.search(front + " ") if entity.mover and not entity.person else None
         if match is None or word.span is None or word.dep not in ("nsubj", "ROOT", "nsubjpass", "attr"):
             return

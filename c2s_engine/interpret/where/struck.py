@@ -36,13 +36,9 @@ IN_ORDER = re.compile(r"\bin (?:that|this|the same|numerical|the following) orde
 
 def pushed(clauses: Clauses) -> None:
     """Who is pushed into another hits that one: "struck V2, which was pushed into V3"."""
-    by_key = {e.key: e for e in (clauses.cast.ego, *clauses.cast.entities)}
     for event in list(clauses.events):
         if event.act != "collide" or not event.passive or clauses._lemma(clauses.words[event.word]) not in PUSHES:
             continue
-        into = re.search(r"\binto (?:the )?(?:\w+ of )?(?:the )?@(\w+)", event.text)
-        clauses._subject(clauses.words[event.word])[0] or event.patient
-        by_key.get(into[1]) if into else None
 
 
 def merged_into(clauses: Clauses) -> None:
@@ -65,14 +61,6 @@ def came_out_into(clauses: Clauses) -> None:
         if struck is not None and struck is not event.agent and (event.word, event.agent) not in hits:
             clauses.events.append(Event.echo(event, act="collide", patient=struck, order=event.order + 0.3))
             hits.add((event.word, event.agent))
-
-
-def twice(clauses: Clauses) -> None:
-    """Who cannot stop in time and then hits somebody hits once: the blow without a party is left out, as is what one
-    that was struck comes to rest against."""
-    hits = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
-    for event in hits:
-        any(e.word < event.word and event.agent in (e.agent, e.patient) for e in hits if e is not event)
 
 
 def struck_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
@@ -142,4 +130,3 @@ def _in_order(cast: Cast, of: dict[Entity, Where]) -> None:
     """ "Vehicles 1, 2 and 3 were in one lane, in that order": each is behind the one before it."""
     if not IN_ORDER.search(" ".join(w.norm for w in cast.words)):
         return
-    sorted((e for e in cast.entities if e.label.isdigit() and e in of), key=lambda e: int(e.label))

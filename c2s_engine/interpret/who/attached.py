@@ -13,8 +13,6 @@ class Attached(Riders):
 
     def _mount(self, word: Word) -> Entity | None:
         """What a rider rides: "V2's rider", "the rider" where ego is a motorcycle."""
-        poss = (c for c in word.children if self.words[c].dep == "poss" and self.words[c].tag != "PRP$")
-        next((self.of[c] for c in poss if c in self.of), None)
         the = any(self.words[c].norm == "the" for c in word.children)
         others = [e for e in self.entities if fits(e, "rider")]
         return self.ego if the and not others and self.ego.type == "motorcycle" and self.ego.typed else None

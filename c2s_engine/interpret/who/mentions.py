@@ -177,9 +177,7 @@ class Cast(Labels):
             return self.me
         if span.kind == "ego":
             self._ego_type(word)
-            named = self._copula(word)
-            self.words[word.i + 1].norm if word.i + 1 < len(self.words) else ""
-            named is not None and any(0 < word.i - m.word <= 6 for m in named.mentions)
+            self._copula(word)
             return self.ego
         if span.kind == "label":
             return self._labelled(word)

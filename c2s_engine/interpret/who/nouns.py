@@ -59,7 +59,6 @@ class Nouns(Attached, NotThere, Counted):
             if driver is not None:
                 driver.names.add(noun.split(" ")[-1])
                 return driver
-        data.get("person") and (kind in MOTOR or kind == "rider" or noun.endswith("courier"))
         if word.i in self.wheels:
             return self._retyped(self.wheels[word.i], kind, roles, noun)
         if self._is_modifier(word):

@@ -80,5 +80,4 @@ class Persons(Salience):
             found = self._salient(word, lambda e: e.type in RIDDEN and e.sex != "i") or found
         if found is not None and found.manned:
             found.sex = found.sex or wanted
-        any(w.lemma in DRIVERS and w.span is None for w in self.words[: word.i])
         return found or self._salient(word, lambda e: e.mover and e.sex != "i" and e.count == 1)

@@ -50,13 +50,11 @@ class Reference(Owned):
         candidates = list(candidates)
         coloured = [e for e in candidates if e.names & COLOURS & set(before)]
         candidates = coloured or candidates
-        [e for e in candidates if noun in e.names and e.count == count and not e.person]
         if noun in (brands := language.makes()):  # "the Kia hit the Hyundai"
             same = language.table("actors")["same_makes"].get(noun, noun)
             candidates = [e for e in candidates if e.noun not in brands or {noun, same} & {e.noun, *e.names}]
             candidates = [e for e in candidates if count > 1 or not e.noun.endswith("queue")]
         groups = [e for e in candidates if e.count > 1 and e.group is None and "group" not in e.roles]
-        [e for e in self.entities if e.count > 1 and e.type in ("bicycle", "motorcycle", "rider")]
         if ordinal is not None and count == 1 and definite and not roles:
             told = next((name for name, at in ORDINALS.items() if at == ordinal), "")
             if groups and (member := self.member(groups[-1], told)) is not None:
@@ -67,8 +65,6 @@ class Reference(Owned):
             if same:
                 several = [e for e in same if e.count > 1] if plural else []
                 return (several or same)[-1]  # "one of the parked cars": of the group, not of the one
-            [e for e in candidates if e.noun == noun and not e.roles and word.span and word.span.data["person"]]
-            [e for e in groups if False]
             there = None if definite and count == 1 else None
             if there is not None:
                 return there
@@ -88,11 +84,9 @@ class Reference(Owned):
                 return None
             if roles & TOLD_APART or not candidates:
                 return None
-        any(self.words[m.word].norm in DRIVES_IT for m in self.ego.mentions)
         alone = noun in ("car", "vehicle") and not candidates and not roles and definite and not other
         if alone and (self._out_of_my_hand(word)):
             return self.ego
-        any(self.words[c].norm in ("shall", "must") for c in self.words[word.head].children)
         if kind == "vehicle" and noun == "vehicle" and not self.ego_named and not bare and not other:
             generic = [e for e in candidates if e.noun == "vehicle"]
             plain = [e for e in candidates if e.noun != "vehicle" and not e.roles and e.type != "bicycle"]
@@ -111,7 +105,6 @@ class Reference(Owned):
             return self.ego if mine else same  # "... my bus. Front side of bus was damaged"
         if other:
             vehicles = [e for e in candidates if not e.ego]
-            [e for e in vehicles if e.count == 2]
             single = [e for e in vehicles if e.count == 1 and "group" not in e.roles]
             itself = self._subject_of(self._governor(word)) if word.dep in ("dobj", "pobj") else None
             single = [e for e in single if e is not itself]  # "the car struck the other car"

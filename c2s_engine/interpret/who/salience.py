@@ -63,11 +63,6 @@ class Salience(Excluded):
         if word.dep == "poss":
             own = self._subject_of(verb)
             beside = False
-            [
-                self.of[w.i]
-                for w in self.words[: word.i]
-                if w.sentence == word.sentence and w.norm == "it" and w.i in self.of
-            ]
             if own is not None and accept(own) and own is not clash:
                 return own
         told = [p for p in sentence if self._finite(self._governor(self.words[p[0]]))]

@@ -42,7 +42,6 @@ class AtWheel(Reference):
     def _drives_on(self, word: Word) -> Entity | None:
         """Who drives or cycles, in or on what is not told: "the couple drove home", "a boy was cycling to school"."""
         verb = self.words[word.head]
-        self.words[word.i + 1] if word.i + 1 < len(self.words) else word
         if word.dep != "nsubj" or verb.lemma != "drive":
             return None
         return self._new(Entity("", "vehicle", manned=True, sex=self._sex(word)))

@@ -199,7 +199,11 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
             if until != lasts:
                 lines.append(f"do Stand(){until}")
         elif phase.action == "leave_road":
-            back = "self.heading + 180 deg" if phase.side in (None, spec.placement.side or "right") else "self.heading"
+            if not begun:  # it is in the lane, and has come along it
+                left = (phase.side == "left") != (spec.placement.facing == "against")
+                back = f"self.heading {'+' if left else '-'} 90 deg"
+            else:
+                back = "self.heading + 180 deg" if phase.side in (None, spec.placement.side or "right") else "self.heading"
             lines.append(f"do Walk({back}, {own}, to_far_side(self, line, {back})){until}")
         elif phase.action in ("stop", "stationary", "wait", "yield"):
             if phase.action == "yield" and not until:

@@ -12,6 +12,8 @@ from c2s_engine.interpret.learned.notation import parse, short
 from c2s_engine.interpret.learned.reader import structure_of
 from c2s_engine.structure.edits import RemoveObject, SetField, apply
 
+pytestmark = pytest.mark.full
+
 SAID = "R: road\nE: car speed=50km/h\nO1: van at=left_lane along=ahead gap=12m ; cut_in side=right"
 TEXT = "Ego at 50 km/h; a van in the left lane, 12 m ahead, moves over to the right."
 
@@ -21,7 +23,6 @@ def some():
     return random.Random(2).sample(list(scenes()), 120)
 
 
-@pytest.mark.full
 def test_the_scenes_are_some_thousand_each_told_twice_a_tenth_held_out():
     found = list(scenes())
     assert len({s.id for s in found}) == len(found) > 5000 and all(len(s.texts) == 2 for s in found)

@@ -13,6 +13,8 @@ import shapely
 from c2s_engine import paths
 from c2s_engine.check import networks, packing
 
+pytestmark = pytest.mark.full
+
 TOWN = paths.shipped("maps", "town.xodr")
 
 
@@ -64,7 +66,6 @@ def differences(one: Any, other: Any) -> Iterator[str]:
             yield f"{path}: one object there, two here"
 
 
-@pytest.mark.full
 def test_equal_values_and_types(parsed: Any, packed: Any) -> None:
     assert list(differences(parsed, packed)) == []
 
@@ -92,7 +93,6 @@ def test_what_is_no_packed_network_is_refused(data: bytes) -> None:
         packing.unpack(data)
 
 
-@pytest.mark.full
 def test_a_broken_file_is_made_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, parsed: Any) -> None:
     from scenic.core import regions
     from scenic.domains.driving.roads import Network

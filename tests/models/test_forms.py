@@ -124,6 +124,7 @@ def test_the_detector_tells_its_fields_as_every_form_does(says):
     assert shown and not [fault for answer in shown if (fault := accepts(form.schema, answer))]
 
 
+@pytest.mark.full
 def test_every_example_is_shown_by_some_form():
     """None is of fields that there are no more."""
     told = "\n".join(form.system for seed in range(40) for _, form in drawn(seed))

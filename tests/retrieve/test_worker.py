@@ -81,6 +81,7 @@ async def test_add_search_list_remove(own_index, tmp_path):
             await client.remove("snippets")
 
 
+@pytest.mark.nightly
 async def test_programs_become_snippets(own_index, tmp_path):
     program = tmp_path / "mine.scenic"
     program.write_text("tram = new Truck ahead of ego by 9\n")
@@ -104,6 +105,7 @@ async def test_the_shipped_vectors_are_the_model_s(own_index):
         assert np.dot(shipped[row.key], vector) > 0.9999
 
 
+@pytest.mark.nightly
 async def test_all_who_wait_for_the_index_share_one_build(tmp_path):
     told: list[str] = []
     async with RetrievalClient(tmp_path / "index") as client:
@@ -130,6 +132,7 @@ async def test_refusals_are_sentences(own_index, tmp_path):
         assert len(report["added"]) == 1 and len(report["refused"]) == 1
 
 
+@pytest.mark.nightly
 async def test_a_worker_that_is_killed_is_replaced_and_the_request_named(own_index):
     async with RetrievalClient(own_index) as client:
         await client.search("lane change")
@@ -197,6 +200,7 @@ def test_a_folder_without_permission_gets_a_sentence(tmp_path):
         Library(blocked / "index").build()
 
 
+@pytest.mark.nightly
 def test_two_processes_build_one_after_the_other(own_index):
     code = "import pathlib, sys\nfrom c2s_engine.retrieve.library import Library\n"
     code += "Library(pathlib.Path(sys.argv[1])).build()\n"
@@ -222,6 +226,7 @@ def test_a_damaged_index_says_so_and_is_built_anew(own_index):
     assert Library(own_index).search("lane change behaviour")
 
 
+@pytest.mark.nightly
 def test_a_pdf_of_300_pages(own_index, tmp_path):
     from test_parts import pdf
 
@@ -234,6 +239,7 @@ def test_a_pdf_of_300_pages(own_index, tmp_path):
     assert (first.clause, first.page) == ("5.217", 217)
 
 
+@pytest.mark.nightly
 def test_users_programs_are_taken_apart_by_the_command(own_index, tmp_path):
     """`c2s index add` as it is typed: the check server's importer gives the components, their specs the words."""
     (tmp_path / "data" / "c2s").mkdir(parents=True)

@@ -51,7 +51,7 @@ def test_generate_gives_a_program_that_runs(tmp_path):
     assert again.returncode == 0, again.stdout
 
 
-@pytest.mark.full
+@pytest.mark.nightly
 def test_fixes_are_counted_in_words(tmp_path):
     program = tmp_path / "lead.scenic"
     program.write_text(LEAD.replace("new Car at", "Car at"))

@@ -21,7 +21,7 @@ async def test_a_few_draws(engine):
     assert await all_pass(engine, range(25), run=False) >= 0.7  # of so few; 0.8 of many
 
 
-@pytest.mark.full
+@pytest.mark.nightly
 async def test_many_draws_run(engine):
     assert await all_pass(engine, range(1000, 1060)) >= 0.75
 

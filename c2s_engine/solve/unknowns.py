@@ -170,7 +170,7 @@ def _nearnesses(cid: ComponentId, i: int, phase: Phase, is_open: Callable[[str, 
 def _of_phase(cid: ComponentId, i: int, phase: Phase, speed: float, untimed: bool,
               is_open: Callable[[str, object], bool]) -> Iterator[Unknown]:  # fmt: skip
     path = f"phases.{i}"
-    moves = speed > 0 or phase.action in ("enter_road", "start")
+    moves = speed > 0 or phase.action in ("enter_road", "start", "reverse")
     if i == 0 and untimed and moves and phase.action not in BY_OTHERS:
         value = middle(phase.trigger.value) if phase.trigger and phase.trigger.value is not None else 3.0
         yield Unknown(cid, f"{path}.trigger", value)

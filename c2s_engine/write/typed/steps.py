@@ -31,6 +31,8 @@ BEYOND_EDGE = 4
 """m beyond the road's edge to where who leaves it heads."""
 HITS_SOON = "for 1 seconds"
 """How long one leaves its lane that then hits another."""
+BACKING = 4.0
+"""m/s above which nobody goes on backwards as it went ahead."""
 CLOSER = 2.5
 """m by which one comes nearer to whom it follows than where it does something about that."""
 FULL = 5
@@ -197,7 +199,7 @@ def _u_turn(c: Course, p: Phase) -> list[Step]:
 
 def _reverse(c: Course, p: Phase) -> list[Step]:
     c.backwards = True
-    pace = c.wanted(p, c.value or 2)
+    c.value = pace = c.wanted(p, c.value if 0 < c.value <= BACKING else 2.0)
     spec, back = c.actor.spec, f"do Backwards({scope.number(pace)})"
     if hit := hit_next(c, p):
         return backs_into(c, c.actor.ref(hit.target), pace)

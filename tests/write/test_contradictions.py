@@ -12,6 +12,7 @@ from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.specs import (
     Condition,
+    EgoSpec,
     ObjectSpec,
     Phase,
     Placement,
@@ -82,6 +83,20 @@ def test_no_time_is_required_of_a_scene():
 def test_nobody_is_placed_by_one_or_names_one_that_is_not_there(spec):
     refused = contradiction(Structure(objects=(Component(id="O2", spec=spec),)))
     assert refused is not None and "O1" in str(refused) and "not there" in str(refused)
+
+
+@pytest.mark.parametrize("other", ["ego", "O1"])
+def test_two_may_wait_for_one_another(other):
+    """Or one for itself: that is no fault of the solver."""
+    waits = Trigger(kind="action", of=other, action="brake")
+    ego = EgoSpec(speed=14.0, phases=(Phase(action="brake"), Phase(action="lane_change", trigger=waits)))
+    follows = Trigger(kind="action", of="ego", action="lane_change")
+    coming = ObjectSpec(
+        name="a", speed=18.0, placement=Placement(position="left_lane", along="behind"),
+        phases=(Phase(action="lane_change", trigger=follows), Phase(action="brake", trigger=follows)),
+    )  # fmt: skip
+    found = contradiction(Structure(ego=Component(id="E", spec=ego), objects=(Component(id="O1", spec=coming),)))
+    assert found is None or found.fields
 
 
 def test_rows_name_only_what_the_vocabulary_has():

@@ -98,8 +98,9 @@ def level_then(structure: Structure) -> Structure:
     return structure
 
 
-def moves_over(structure: Structure, cid: str) -> float:
-    """s after the start at which one first moves aside, about; 0: it does not, or that cannot be told."""
+def moves_over(structure: Structure, cid: str, waiting: frozenset[str] = frozenset()) -> float:
+    """s after the start at which one first moves aside, about; 0: it does not, or that cannot be told. `waiting`: who
+    waits for it."""
     phase = next((p for p in phases_of(structure, cid) if p.action in {*LATERAL, "swerve"}), None)
     spec = structure[cid].spec
     if isinstance(spec, ObjectSpec) and spec.placement.position == "on_ramp":
@@ -109,7 +110,9 @@ def moves_over(structure: Structure, cid: str) -> float:
     of = "E" if phase.trigger.of == "ego" else phase.trigger.of or ""
     if phase.trigger.kind == "time":
         return middle(phase.trigger.value or 0.0)
-    return moves_over(structure, of) if phase.trigger.kind == "action" and of in structure else 0.0
+    if phase.trigger.kind != "action" or of not in structure or of in {cid, *waiting}:
+        return 0.0
+    return moves_over(structure, of, waiting | {cid})
 
 
 def gone_round(structure: Structure) -> Structure:

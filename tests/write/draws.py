@@ -43,7 +43,7 @@ def trigger(rng: random.Random, refs: list[str]) -> Trigger:
     kind = _one(rng, v.TriggerKind)
     return Trigger(
         kind=kind,
-        value=_quantity(rng, 1, 40) if kind != "action" else None,
+        value=_maybe(rng, 0.7, lambda: _quantity(rng, 1, 40)) if kind != "action" else None,
         subject=_maybe(rng, 0.2, lambda: rng.choice(refs)),
         of=_maybe(rng, 0.5, lambda: rng.choice(refs)),
         action=_one(rng, v.Action) if kind == "action" else None,

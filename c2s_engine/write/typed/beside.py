@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed import scope, stations
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.spot import Spot, measured, member, position_constant
@@ -33,7 +33,7 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
         beyond = (LENGTH[by.type] + LENGTH[spec.type]) / 2 + stations.RIGHT_BEHIND
         line = f"{at} = {position_constant(structure, spec.placement.hidden_by or 'ego')} + {scope.number(beyond)}"
     elif at_corner(spec, plan.place):
-        return _corner(spec, at, plan)
+        return _corner(structure, spec, at, plan)
     elif sign == 0 and stations.stands_there(structure, of):  # just in front of what takes the spot itself
         clear = scope.number(stations.clear_of(structure, spec))
         line = f"{at} = {position_constant(structure, of)} + {clear}"
@@ -60,11 +60,14 @@ def _crosswalk(plan: Plan) -> str:
     return "crosswalk_of(place.lane)" if plan.place.kind == "intersection" and plan.place.crosswalk else ""
 
 
-def _corner(spec: ObjectSpec, at: str, plan: Plan) -> Spot:
+def _corner(structure: Structure, spec: ObjectSpec, at: str, plan: Plan) -> Spot:
     """At the corner of the junction, as long as it takes to hide who comes there from where ego starts."""
-    length = scope.number(LENGTH[spec.type])
+    length, ego, before = scope.number(LENGTH[spec.type]), structure.ego.spec, stations.CORNER
+    assert isinstance(ego, EgoSpec)
+    if any(p.action == "enter_road" for p in ego.phases[:1]):  # ego itself stands beside the road
+        before += LENGTH[ego.type]
     lines = (
-        f"{at[:-3]}_LENGTH = max({length}, EGO_TO_JUNCTION - {scope.number(stations.CORNER)})  # m",
+        f"{at[:-3]}_LENGTH = max({length}, EGO_TO_JUNCTION - {scope.number(before)})  # m",
         f"{at} = place.length - {scope.number(stations.CORNER)} - {at[:-3]}_LENGTH / 2  # m along the lane",
     )
     spot = _edge(spec, lines[0], at, "place.lane", plan)

@@ -203,7 +203,8 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
                 left = (phase.side == "left") != (spec.placement.facing == "against")
                 back = f"self.heading {'+' if left else '-'} 90 deg"
             else:
-                back = "self.heading + 180 deg" if phase.side in (None, spec.placement.side or "right") else "self.heading"
+                returns = phase.side in (None, spec.placement.side or "right")
+                back = "self.heading + 180 deg" if returns else "self.heading"
             lines.append(f"do Walk({back}, {own}, to_far_side(self, line, {back})){until}")
         elif phase.action in ("stop", "stationary", "wait", "yield"):
             if phase.action == "yield" and not until:
@@ -294,7 +295,14 @@ def _egos_way(plan: Plan) -> str:
 def _stated(spec: ObjectSpec) -> bool:
     """Whether S says when somebody sets out."""
     first = next((p for p in spec.phases if p.action in ACROSS), None)
-    return first is not None and first.trigger is not None
+    return first is not None and _tells_when(first.trigger)
+
+
+def _tells_when(t: Trigger | None) -> bool:
+    """Whether a trigger says when; one that says only that somebody is near leaves it open."""
+    if t is None:
+        return False
+    return watches(t) or t.kind in ("time", "action") or t.kind in ("distance", "ttc") and t.value is not None
 
 
 def _ego_stays(structure: Structure, plan: Plan) -> bool:
@@ -341,7 +349,7 @@ def _sets_out(
         if other != "ego":
             return f"gap(self, {other}) < {value} * max({other}.speed, 3)"
         return f"seconds_to(ego, line, along_line(line, self.position)[0]) < {value}"
-    if t and (watches(t) or t.kind in ("time", "action") or t.kind == "distance" and t.value is not None):
+    if t and _tells_when(t):
         return watched(structure, plan, t, cid)
     if _ego_stays(structure, plan):
         return "clock() >= 2"

@@ -83,7 +83,7 @@ class Recorder:
             samples[0] = (*samples[0][:3], *actor.body.velocity())
 
     def note_lights(self, time: float, states: dict[tuple[str, str], str]) -> None:
-        """What the lights show from a time on, s; what the program's first step makes them show is so from the start."""
+        """What the lights show from a time on, s; what a program's first step makes them show is so from the start."""
         if 0.0 < time <= self.step:
             self.lights, self._shown, time = [], {}, 0.0
         for key, state in states.items():

@@ -56,9 +56,10 @@ class Unknown:
         return ((self, within),) if within != round(self.value, digits) else ()
 
     def within(self, value: float, digits: int = 1) -> float:
-        """`value`, or the limit beyond which it is, rounded."""
+        """`value`, or the limit beyond which it is, rounded where that keeps it within them."""
         low, high = self.limits
-        return round(min(max(value, low), high), digits)
+        found = min(max(value, low), high)
+        return rounded if low <= (rounded := round(found, digits)) <= high else found
 
 
 Setting = tuple[Unknown, float]

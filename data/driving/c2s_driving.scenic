@@ -1200,14 +1200,14 @@ def stretches(straight=False, two_way=True, crosswalk=None, **wanted):
     (m, or as much of it as there is), `least` (m), `speed` (m/s), and what `lane_fits` and `limit` mean. Those are taken
     whose bends allow the speed and that meet no stop sign, and of these the longest; others only where there are none
     (`share`: not at all, nor less than that share of the length up to the next junction or, `across`, straight over
-    junctions)."""
+    junctions). Carriageways of motorways only where there are no others."""
     facts = map_facts()
     def fits(lane):
         along = (lane.centerline[-1] - lane.centerline[0]).norm()
         return ((lane.group._opposite if two_way else lane.road.id not in facts.ramps)
                 and (not straight or along > 0.998 * lane.centerline.length)
                 and crosswalk in (None, lane.road.id in facts.crossed))
-    return _along_roads(fits, **wanted)
+    return _along_roads(lambda lane: fits(lane) and lane.road.id not in facts.motorways, **wanted) or _along_roads(fits, **wanted)
 
 def curves(side=None, two_way=True, **wanted):
     """Roads that bend by 20 degrees and more, to a `side` if one is said; `place.mark`: m to where the bend begins. The

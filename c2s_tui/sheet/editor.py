@@ -37,6 +37,9 @@ class FieldEditor(Vertical):
     class Opened(Message):
         """The line is there."""
 
+    class Resized(Message):
+        """It has another height: it opened, or its help or an error has other words."""
+
     class Typed(Message):
         """What is typed so far is a valid edit (or is not: None)."""
 
@@ -62,6 +65,9 @@ class FieldEditor(Vertical):
     def on_mount(self) -> None:
         self.post_message(self.Opened())
         self.call_after_refresh(self._show_cursor)
+
+    def on_resize(self) -> None:
+        self.post_message(self.Resized())
 
     def _show_cursor(self) -> None:
         """The line was as wide as nothing when its cursor was put at the end. A sentence that is longer than the line

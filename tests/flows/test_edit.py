@@ -72,6 +72,39 @@ def test_a_refused_value_is_explained_at_the_field(stage, compare):
     assert compare(flow, size=(80, 24))
 
 
+async def test_what_opens_at_the_lower_edge_is_in_view(stage):
+    """At 80x24 each row is reached from above, so it is the last that is seen when its line opens below it."""
+    async with stage.described(size=(80, 24)) as pilot:
+        sheet = stage.bench.sheet
+
+        def seen(widget):
+            return sheet.region.contains_region(widget.region)
+
+        def in_view():
+            editor = sheet.editor
+            return editor is not None and editor.size.height > 1 and seen(editor) and len(editor.query("Input")) == 1
+
+        await stage.to_row(pilot, "O1")
+        await pilot.press("space")
+        await stage.until(pilot, lambda: any(row.key == "O1:placement.of" for row in sheet.rows))
+        await stage.until(pilot, lambda: seen(sheet.views[sheet.cursor]) and seen(sheet.views[sheet.cursor + 3]))
+        tried = 0
+        await pilot.press("home")
+        while tried < 3:
+            await pilot.press("down")
+            row = sheet.here
+            if sheet.views[sheet.cursor].region.bottom < sheet.region.bottom - 1 or not (row.field and row.field.leaf):
+                continue
+            tried += 1
+            await pilot.press("enter")
+            await stage.until(pilot, in_view)
+            await pilot.press("escape")
+            await stage.until(pilot, lambda: sheet.editor is None)
+            await stage.until(pilot, lambda: seen(sheet.views[sheet.cursor]))
+        await pilot.press("end", "enter")
+        await stage.until(pilot, lambda: sheet.query("#new-object") and seen(sheet.query_one("#new-object")))
+
+
 def test_undo_and_redo(stage, compare):
     async def flow(pilot):
         await stage.say(pilot, CUT_IN)

@@ -73,6 +73,10 @@ class Sessions(Part):
                 await self.chat.note(reply, "say")
             if not turn.asked:
                 await self.chat.note(turn.summary[:1].upper() + turn.summary[1:])
+        if session.idle:
+            from c2s_engine.session.no_effect import told
+
+            await self.chat.note(told(session.idle))
         await self._recover(session)
 
     async def _opened(self, name: str) -> "Session":

@@ -94,7 +94,7 @@ class Turns(Part):
         from c2s_engine.session.no_effect import told
 
         try:
-            found = await self.backend.ask(lambda engine: engine.without_effect(text))
+            found = await self.backend.ask(lambda _: self.session.without_effect())
         except (ValueError, OSError):
             return  # what cannot be read is said by the turn
         if found and text == self.desk.structure.text:

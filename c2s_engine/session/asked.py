@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from c2s_engine.structure.account import STATUS_WORDS, account
+from c2s_engine.structure.account import STATUS_WORDS, Clause, account
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.facts import EGO, EventFact, ObjectFacts, RunFacts
 from c2s_engine.structure.happening import USUAL, ended, told
@@ -31,12 +31,18 @@ _ELSEWHERE = re.compile(
     r"|^what (?:is|are) (?:an?|the)\b(?! (?:outcome|result|gap|distance|smallest|minimum))",
     re.I,
 )
+_UNDERSTOOD = r"\b(?:underst(?:ood|and)|left out|lost from|dropped|ignored|account of)\b"
 _WHY = re.compile(r"^(?:and |but |so )?(?:why|what makes|what made)\b", re.I)
 
 
 def wants_help(text: str) -> bool:
     """Whether a text only greets, or asks what can be done here."""
     return bool(_HELP.fullmatch(text.strip()))
+
+
+def asks_for_account(text: str) -> bool:
+    """Whether a text asks what of the description was understood, or lost."""
+    return re.search(_UNDERSTOOD, text, re.I) is not None and text.rstrip().endswith("?")
 
 
 def answered(question: str, shown: Finished | None) -> str:
@@ -216,13 +222,23 @@ def _met(asked: _Asked) -> str:
 
 def _accounted(asked: _Asked) -> str:
     """What became of the text, clause by clause, where that is not simply a part of S."""
-    clauses = account(asked.structure)
+    clauses = account(asked.structure, asked.shown.details.get("without_effect", ()))
     if not clauses:
         return "There is no text: S was made without one."
     whole = sum(1 for c in clauses if c.status == "understood")
-    lines = [f"“{c.text}”: {STATUS_WORDS[c.status]}" + (f" ({c.reason})" if c.reason else "")
+    lines = [f"“{c.text}”: {STATUS_WORDS[c.status]}" + (f" ({_lost(c)})" if c.lost else "")
              for c in clauses if c.status != "understood"]  # fmt: skip
     return "\n".join([f"{whole} of {len(clauses)} clauses of the text are in S as understood.", *lines])
+
+
+def _lost(clause: Clause) -> str:
+    """What of a clause is lost, and why: what is lost as a whole is not named again."""
+    reasons: dict[str, list[str]] = {}
+    for unmet in clause.lost:
+        names = reasons.setdefault(unmet.reason, [])
+        if unmet.text.strip(" .,;:") not in ("", clause.text.strip(" .,;:")):
+            names.append(f"“{unmet.text}”")
+    return "; ".join(f"{', '.join(names)}: {why}" if names else why for why, names in reasons.items())
 
 
 def _assumed(asked: _Asked) -> str:
@@ -239,7 +255,7 @@ def _there(asked: _Asked) -> str:
 
 
 TOPICS: tuple[tuple[str, Callable[[_Asked], str]], ...] = (
-    (r"\b(?:underst(?:ood|and)|left out|lost from|dropped|ignored|account of)\b", _accounted),
+    (_UNDERSTOOD, _accounted),
     (r"\b(?:assum\w+|guess\w*|left open|defaults?)\b", _assumed),
     (r"\b(?:colli\w+|crash\w*|hit|hits|touch\w*|contact|accident)\b", _collided),
     (r"\b(?:hidden|hid(?:e|es|ing)?|occlu\w+|visible|in sight|(?:could|did|does) (?:the )?ego see)\b", _hidden),

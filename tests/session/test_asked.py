@@ -3,7 +3,7 @@
 import pytest
 
 from c2s_engine.session.asked import HELP, answered, wants_help
-from c2s_engine.structure.components import Assumption, Component, Structure
+from c2s_engine.structure.components import Assumption, Component, Link, Structure, Unmet
 from c2s_engine.structure.facts import ContactFact, EventFact, ObjectFacts, RunFacts
 from c2s_engine.structure.measures import ActorMeasures, Measures, PairMeasures
 from c2s_engine.structure.program import Program
@@ -63,6 +63,20 @@ SHOWN = Finished(
 )  # fmt: skip
 def test_questions_about_the_scene_and_its_run(question, words):
     assert words in answered(question, SHOWN)
+
+
+def test_what_was_not_understood_counts_the_words_without_effect():
+    text, cyclist = STRUCTURE.text, STRUCTURE.objects[0]
+    link = Link(kind="text", label=text, span=(0, len(text)), field="type")
+    read = STRUCTURE.model_copy(update={"objects": (cyclist.model_copy(update={"links": (link,)}),)})
+    shown = SHOWN.model_copy(update={"structure": read})
+    assert answered("what did you not understand?", shown) == "2 of 2 clauses of the text are in S as understood."
+    idle = Unmet(text="crosses", reason="S would be the same without it", span=(22, 29))
+    shown = shown.model_copy(update={"details": {"without_effect": (idle,)}})
+    assert answered("what did you not understand?", shown) == (
+        "1 of 2 clauses of the text are in S as understood.\n"
+        "“A cyclist crosses.”: partly understood (“crosses”: S would be the same without it)"
+    )
 
 
 @pytest.mark.parametrize("question", ["was the cyclist hidden?", "could ego see the cyclist?", "who is occluded?"])

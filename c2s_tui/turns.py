@@ -45,7 +45,7 @@ class Turns(Part):
     def options(self) -> dict[str, Any]:
         """What the next turn is asked with."""
         choice = self.bench.choices.choice
-        chosen = {"method": choice.method, "map": choice.map or None, "trajectories": True}
+        chosen = {"method": choice.method, "map": self.bench.choices.map_of(self.desk.structure), "trajectories": True}
         return {name: value for name, value in chosen.items() if value is not None}
 
     @background("turn")
@@ -179,7 +179,7 @@ class Turns(Part):
             return
         await self.bench.sheet.close_editor() if self.bench.sheet.editor else None
         self.waiting = together
-        options = self.options()
+        options = self.options() | {"map": self.bench.choices.map_of(self._optimistic(together))}
         self.turn(lambda: self.session.apply(together, **options), "writing")
 
     @background("reach")

@@ -148,3 +148,16 @@ def test_what_was_given_up_stands_beside_the_requirements():
     said, kind = summary(desk)
     assert said == "E written; runs; 1 of 1 requirements met; given up: E speed 130 km/h -> 91 km/h"
     assert kind == "warning"
+
+
+async def test_f6_brings_results_that_are_behind_another_pane(stage):
+    async with stage.described(size=(80, 24)) as pilot:
+        await pilot.press("f6")
+        await stage.until(pilot, lambda: stage.bench.room.current_pane == "results")
+        await pilot.press("f2")
+        await stage.until(pilot, lambda: stage.bench.room.current_pane == "chat")
+        await pilot.press("f6")
+        await stage.until(pilot, lambda: stage.bench.results.has_focus and "requirements met" in report(stage))
+        await pilot.press("f6")
+        await stage.until(pilot, lambda: not stage.bench.results.has_class("-on"))
+        assert stage.bench.room.current_pane == "code"

@@ -191,7 +191,8 @@ class SheetPane(VerticalScroll):
         for line in self.query(Input):
             if line.is_mounted:
                 self.screen.set_focus(line)
-                line.insert_text_at_cursor(self._ahead)
+                if self._ahead:
+                    line.replace(self._ahead, *sorted(line.selection))
                 self._ahead = ""
 
     def _edit(self, row: Row) -> None:

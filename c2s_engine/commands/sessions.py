@@ -289,7 +289,7 @@ async def _take(events: AsyncIterator[Progress], quiet: bool) -> Finished | None
 
 def state_of(session: "Session") -> Finished:
     """A session as it stands, as the end of a turn."""
-    kept = {k: session.details[k] for k in ("folder", "map", "room") if k in session.details}
+    kept: dict[str, Any] = {k: session.details[k] for k in ("folder", "map", "room") if k in session.details}
     kept["without_effect"] = session.idle or ()
     return Finished(
         ok=True, structure=session.structure, program=session.program, stages=session.stages, facts=session.facts,

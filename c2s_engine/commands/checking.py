@@ -141,7 +141,8 @@ def run(
     if simulator != "dry":
         fail(f"There is no simulator {simulator}: say dry or carla.", BAD_INPUT, as_json)
     if chosen:
-        given: dict[str, Any] = {"trust": trust, "seconds": seconds, "map": map_name, "model": model, "scenario": scenario}
+        given: dict[str, Any] = {"trust": trust, "seconds": seconds, "map": map_name, "model": model}
+        given["scenario"] = scenario
         code, found = series(None, text, chosen, as_json, file, **given)
         if svg or png or csv_file:
             first: Ran = work(_run(text, file, chosen[0], **given), as_json)

@@ -278,6 +278,8 @@ class Session:
             if finished and back not in ("undo", "redo") and not futile(finished):
                 await asyncio.to_thread(self._commit, turn, finished, tuple(said))
                 read = True
+            elif finished and futile(finished) and not said:  # why, as the fronts tell it
+                said += [d.message for d in finished.diagnostics if d.severity == "error"]
             read = read or back in ("undo", "redo")
         except (asyncio.CancelledError, GeneratorExit):
             said.append("Cancelled; nothing was changed.")

@@ -3,6 +3,9 @@
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from c2s_engine.structure.components import Structure
+from c2s_engine.structure.edits import SetField
+from c2s_engine.structure.specs import SettingsSpec
 from c2s_tui.part import Part, background, sentence
 from c2s_tui.screens.dialogs import Choosable, Chooser, Reading
 from c2s_tui.status import Choice
@@ -59,8 +62,24 @@ class Choices(Part):
             chosen: str | None = argument
         else:
             chosen = await self.app.push_screen_wait(Chooser("Map", entries, self.choice.map or "auto"))
-        if chosen:
-            self.choose(map="" if chosen == "auto" else chosen)
+        if not chosen:
+            return
+        if chosen != "auto" and self.bench.session is not None and self.desk.program.text:
+            if await self.bench.turns.may_begin():
+                await self.bench.turns.make_edits((SetField(component="G", path="map", value=chosen),))
+                await self.chat.note(f"The map of this session is {chosen} from now on (G's field `map`).")
+            return
+        self.choose(map="" if chosen == "auto" else chosen)
+        how = "the one that a text names, else the usual one" if chosen == "auto" else chosen
+        await self.chat.note(f"The map of new scenarios, in any session: {how}.")
+
+    def map_of(self, structure: Structure) -> str | None:
+        """The map that a turn upon S is asked for: S's own where it was set by hand, else the default."""
+        spec = structure.settings.spec
+        own = spec.map if isinstance(spec, SettingsSpec) else None
+        if own and own.lower() not in structure.text.lower():
+            return own
+        return self.choice.map or None
 
     async def do_model(self, argument: str) -> None:
         if argument:

@@ -15,6 +15,14 @@ class Said(Message):
         super().__init__()
 
 
+class ScrollAsked(Message):
+    """The conversation is to be scrolled by pages, below 0 upwards."""
+
+    def __init__(self, by: int):
+        self.by = by
+        super().__init__()
+
+
 class Picked(Message):
     """The cursor of a pane came onto a component; the other panes follow."""
 

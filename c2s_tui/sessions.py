@@ -26,12 +26,14 @@ class Sessions(Part):
     """Commands that concern sessions as a whole."""
 
     @background("begin", exclusive=False)
-    async def open_session(self, name: str) -> None:
-        """Close the session and open another."""
+    async def open_session(self, name: str, word: str = "") -> None:
+        """Close the session and open another; `word`: what is said when it is open."""
         if self.bench.turns.busy:
             await self.bench.turns.may_begin()
             return
         await self.enter(name)
+        if word and self.bench.session is not None and self.session.name == name:
+            await self.chat.note(word)
 
     @background("begin", exclusive=False)
     async def open_known(self, name: str) -> None:
@@ -73,6 +75,10 @@ class Sessions(Part):
                 await self.chat.note(reply, "say")
             if not turn.asked:
                 await self.chat.note(turn.summary[:1].upper() + turn.summary[1:])
+        if session.idle:
+            from c2s_engine.session.no_effect import told
+
+            await self.chat.note(told(session.idle))
         await self._recover(session)
 
     async def _opened(self, name: str) -> "Session":
@@ -155,4 +161,6 @@ class Sessions(Part):
 
     async def do_new(self, argument: str) -> None:
         taken = {s.name for s in await self.backend.all_sessions()}
-        self.open_session(argument or fresh_name(taken))
+        name = argument or fresh_name(taken)
+        made = f"Session {name} made."
+        self.open_session(name, f"{name} is there already: opened." if name in taken else made)

@@ -29,6 +29,7 @@ class Start(Part):
             await self.backend.load()
         except Exception as error:
             await self.chat.note(sentence(error), "error")
+            await self.bench.turns.say_early(opened=False)
             return
         prefs = self.app.prefs
         if prefs.trouble:
@@ -41,6 +42,7 @@ class Start(Part):
         else:
             last = prefs.session if prefs.session in known else None
             await self.bench.sessions.enter(self.wanted or last or fresh_name(known))
+        await self.bench.turns.say_early(opened=self.bench.session is not None)
         try:
             await self.backend.start()
             stands = self.desk.structure.settings.spec

@@ -1,5 +1,6 @@
 """The lines that close a turn in the chat."""
 
+from c2s_engine.structure.components import given_up
 from c2s_engine.structure.requirements import failures, tally
 from c2s_tui.desk import Desk
 
@@ -36,9 +37,12 @@ def summary(desk: Desk, back: str = "") -> tuple[str, str]:
     seen, required = tally(desk.results)
     if required:
         parts.append(f"{seen} of {required} requirements met")
+    left = given_up(desk.structure)
+    if left and desk.stages:
+        parts.append(f"given up: {', '.join(left)}")
     if desk.seconds:
         parts.append(f"{desk.seconds:.1f} s")
     unasked = any(c.said is False for c in desk.collisions)
-    kind = "error" if failed is not None or unasked else "warning" if required and seen < required else "note"
+    kind = "error" if failed is not None or unasked else "warning" if required and seen < required or left else "note"
     missed = failures(desk.requirements, desk.results)
     return "\n".join([*hits, "; ".join(parts), *missed[:MISSED]]), kind

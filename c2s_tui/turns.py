@@ -12,6 +12,7 @@ from c2s_engine.structure.components import ComponentId, Structure
 from c2s_engine.structure.edits import Edit, EditError, SetDescription, apply
 from c2s_engine.structure.progress import Finished, Progress, StageStarted
 from c2s_tui import desk as desks
+from c2s_tui.commands import split
 from c2s_tui.facade import EngineFacade
 from c2s_tui.part import Part, background, sentence
 
@@ -37,6 +38,7 @@ class Turns(Part):
         self.waiting: tuple[Edit, ...] = ()  # edits of the turn under way
         self.then = ""  # a command to run when the turn under way is done
         self.said = ""  # the text of the turn under way, where it is one
+        self.early: list[str] = []  # what was sent before a session was open
 
     @property
     def busy(self) -> bool:
@@ -45,7 +47,7 @@ class Turns(Part):
     def options(self) -> dict[str, Any]:
         """What the next turn is asked with."""
         choice = self.bench.choices.choice
-        chosen = {"method": choice.method, "map": choice.map or None, "trajectories": True}
+        chosen = {"method": choice.method, "map": self.bench.choices.map_of(self.desk.structure), "trajectories": True}
         return {name: value for name, value in chosen.items() if value is not None}
 
     @background("turn")
@@ -94,7 +96,7 @@ class Turns(Part):
         from c2s_engine.session.no_effect import told
 
         try:
-            found = await self.backend.ask(lambda engine: engine.without_effect(text))
+            found = await self.backend.ask(lambda _: self.session.without_effect())
         except (ValueError, OSError):
             return  # what cannot be read is said by the turn
         if found and text == self.desk.structure.text:
@@ -135,14 +137,38 @@ class Turns(Part):
         if wish := _BACK.fullmatch(text.strip().lower()):
             await self.bench.run_command(wish[1])
             return
-        if not await self.may_begin():
-            self.chat.entry.put(text)
+        if self.busy:
+            await self.chat.note("Not sent, it stays typed: the last turn still runs (Esc cancels it).", "warning")
+        if self.busy or not await self.may_begin():
+            self._put_back(text)
             return
         await self.chat.user(text)
         options, hand = self.options(), self.bench.code.hand_edit
         self.long = len(text) if len(text) > LONG else 0
         self.waiting, self.said = (), text
         self.turn(lambda: self._after(hand, self.session.say(text, **options)), "reading")
+
+    async def wait_to_say(self, text: str) -> None:
+        """What is sent while the session is still being opened waits for that."""
+        self.early.append(text)
+        await self.chat.note(f"Waiting until the session is open: “{text}”")
+
+    async def say_early(self, opened: bool) -> None:
+        """Send what was sent too early: one turn and the commands before it; what follows, or all of it where no
+        session could be opened, is back in the line."""
+        early, self.early = self.early, []
+        while opened and early:
+            text = early.pop(0)
+            await self.bench.run_command(*command) if (command := split(text)) else await self.say(text)
+            if not command:
+                break
+        if early:
+            self._put_back("\n".join(early))
+
+    def _put_back(self, text: str) -> None:
+        """Back into the line, before what was typed there since."""
+        since = self.chat.entry.text
+        self.chat.entry.put(f"{text}\n{since}" if since else text)
 
     async def _after(self, hand: Sequence[Edit], events: AsyncIterator[Progress]) -> AsyncIterator[Progress]:
         """The events of a turn, after those of applying what was typed in the code: the turn is about that."""
@@ -179,7 +205,7 @@ class Turns(Part):
             return
         await self.bench.sheet.close_editor() if self.bench.sheet.editor else None
         self.waiting = together
-        options = self.options()
+        options = self.options() | {"map": self.bench.choices.map_of(self._optimistic(together))}
         self.turn(lambda: self.session.apply(together, **options), "writing")
 
     @background("reach")

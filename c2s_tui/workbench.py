@@ -54,6 +54,8 @@ if TYPE_CHECKING:
     from c2s_tui.backend import Backend
 
 DRAFT_SECONDS = 1.0
+AT_ANY_TIME = ("quit", "help", "glossary", "theme", "keys")
+"""Commands that need no session."""
 
 
 class Workbench(Screen):
@@ -203,11 +205,14 @@ class Workbench(Screen):
 
     @on(Said)
     async def _said(self, event: Said) -> None:
+        self.chat.conversation.anchor()  # the answer comes at the end
         command = split(event.text)
-        if command is not None:
+        if self.session is None and (command is None or command[0] not in AT_ANY_TIME):
+            await self.turns.wait_to_say(event.text)
+        elif command is not None:
             await self.run_command(*command)
-            return
-        await self.turns.say(event.text)
+        else:
+            await self.turns.say(event.text)
 
     @on(EditsAsked)
     async def _edits_asked(self, event: EditsAsked) -> None:

@@ -111,7 +111,9 @@ def run(
     seed: Seed = 0,
     runs: Annotated[int, typer.Option(min=1, max=100, help="Rollouts.")] = 1,
     seeds: Annotated[
-        str | None, typer.Option(help="Run it once with each of N seeds: 20, or 5-9; a row each, passed or failed.")
+        str | None,
+        typer.Option(help="Run it once with each of N seeds: 20, or 5-9; a row each, passed or failed. Files (--svg, "
+                          "--png, --csv) are of the first seed's run."),
     ] = None,
     seconds: Annotated[float, typer.Option(min=0.1, max=600, help="Simulated seconds a rollout at most.")] = 20.0,
     simulator: Annotated[str, typer.Option(help="dry (no CARLA needed) or carla.")] = "dry",
@@ -139,8 +141,17 @@ def run(
     if simulator != "dry":
         fail(f"There is no simulator {simulator}: say dry or carla.", BAD_INPUT, as_json)
     if chosen:
-        given = {"trust": trust, "seconds": seconds, "map": map_name, "model": model, "scenario": scenario}
+        given: dict[str, Any] = {"trust": trust, "seconds": seconds, "map": map_name, "model": model}
+        given["scenario"] = scenario
         code, found = series(None, text, chosen, as_json, file, **given)
+        if svg or png or csv_file:
+            first: Ran = work(_run(text, file, chosen[0], **given), as_json)
+            with sentences(as_json):
+                written = _write_files(first.report, svg, png, csv_file)
+            if not as_json:
+                names = ", ".join(map(str, written)) or "no file was written"
+                run_of = f"of the run with seed {chosen[0]}" if written else f"seed {chosen[0]} did not run"
+                err.print(Text(f"{names}: {run_of}"), soft_wrap=True)
         if as_json:
             dump(found)
         raise typer.Exit(code)
@@ -197,9 +208,10 @@ async def ran(engine: "Engine", text: str, folder: str | None, filename: str, se
     return Ran(report, structure, found.requirements, found.results, found.measures, words)
 
 
-def _write_files(report: CheckReport, svg: Path | None, png: Path | None, csv_file: Path | None) -> None:
+def _write_files(report: CheckReport, svg: Path | None, png: Path | None, csv_file: Path | None) -> list[Path]:
+    """Write the files that are asked for; those that were written: none where nothing ran."""
     if not report.trajectories:
-        return
+        return []
     first = report.trajectories[0]
     if svg:
         from c2s_engine.dryrun.picture import svg_picture
@@ -227,3 +239,4 @@ def _write_files(report: CheckReport, svg: Path | None, png: Path | None, csv_fi
                                 track.speed[i],
                             ]
                         )
+    return [file for file in (svg, png, csv_file) if file]

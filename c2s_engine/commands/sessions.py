@@ -92,6 +92,7 @@ def edit(
                 err.print(Text(f"saved {', '.join(map(str, written))}"))
         if not as_json:
             _print(session)
+            show.without_effect(done.details.get("without_effect", ()) if done else ())
             show.contradictions(done.details if done else {})
     code_of = OK if done is None else exit_code(done)
     found: dict[str, Any] = {}
@@ -234,7 +235,8 @@ async def _work(
 
     undo, redo, resume, to = steps
     done: Finished | None = None
-    engine = Engine(load_settings(model=model))
+    settings = load_settings(model=model)
+    engine = Engine(settings)
     async with contextlib.AsyncExitStack() as stack:
         if program or say or edits or resume or contradictions:  # the rest needs no check server
             await stack.enter_async_context(engine)
@@ -254,7 +256,13 @@ async def _work(
                 given = taken(*program) or [Replace(structure=await engine.import_program(program[1]))]
                 done = await _take(session.apply(given, **options), quiet)
             if say:
+                text = session.structure.text
                 done = await _take(session.say(say, **options), quiet)
+                embedded = (options["method"] or settings.method) == "embedded"
+                if done is not None and embedded and session.structure.text not in ("", text):
+                    with contextlib.suppress(ValueError, OSError):  # what cannot be read is said by the turn
+                        idle = await session.without_effect()
+                        done = done.model_copy(update={"details": {**done.details, "without_effect": idle}})
             if edits:
                 meant = [_meant(edit, session.structure) for edit in edits]
                 done = await _take(session.apply(meant, **options), quiet)
@@ -281,7 +289,8 @@ async def _take(events: AsyncIterator[Progress], quiet: bool) -> Finished | None
 
 def state_of(session: "Session") -> Finished:
     """A session as it stands, as the end of a turn."""
-    kept = {k: session.details[k] for k in ("folder", "map", "room") if k in session.details}
+    kept: dict[str, Any] = {k: session.details[k] for k in ("folder", "map", "room") if k in session.details}
+    kept["without_effect"] = session.idle or ()
     return Finished(
         ok=True, structure=session.structure, program=session.program, stages=session.stages, facts=session.facts,
         requirements=session.requirements, results=session.results, details=kept,

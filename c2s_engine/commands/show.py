@@ -11,7 +11,7 @@ from c2s_engine.commands.console import out
 from c2s_engine.session import no_effect
 from c2s_engine.session.seeds import verdict
 from c2s_engine.session.why import KEPT
-from c2s_engine.structure.components import Structure, Unmet, unrecognised
+from c2s_engine.structure.components import Structure, Unmet, given_up, unrecognised
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.facts import EventFact, RunFacts
 from c2s_engine.structure.happening import ended, told
@@ -69,10 +69,12 @@ def outcome(
     s: Structure, facts: Sequence[RunFacts], requirements: Sequence[Requirement], results: Sequence[Result],
     measures: Sequence[Measures], to: Console = out,
 ) -> None:  # fmt: skip
-    """What the runs showed, and what of it S requires."""
+    """What the runs showed, what of it S requires, and what of the text was given up."""
     if facts:
         _runs(facts, requirements, measures, bool(s.text), to)
         _required(requirements, results, unrecognised(s), to)
+    if left := given_up(s):
+        to.print(Text(f"Given up: {', '.join(left)}", style="yellow"))
 
 
 def without_effect(found: Sequence[Unmet], to: Console = out) -> None:

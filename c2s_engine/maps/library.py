@@ -75,8 +75,8 @@ class MapLibrary:
                 return self._map_file(known, path)
         if text.lower().endswith(EXTENSION) or os.sep in text:
             return self._at_path(text, files)
-        towns = {town.lower(): town for town in (*CARLA_TOWNS, *files)}
-        near = [towns[n] for n in get_close_matches(text.lower(), towns, 3, 0.6)]
+        there = {name.lower(): name for name in files}
+        near = [there[n] for n in get_close_matches(text.lower(), there, 3, 0.6)]
         hint = f" Did you mean {', '.join(near)}?" if near else ""
         if text.removesuffix("_Opt") in CARLA_TOWNS and not self.carla_root:
             hint = " It is one of CARLA's: set CARLA_ROOT to the folder where CARLA is installed."

@@ -1,5 +1,6 @@
 """From a text, a session or a program to the material of its dossier, with the engine's own turns and checks."""
 
+import contextlib
 import hashlib
 import re
 from collections.abc import Iterator
@@ -150,18 +151,25 @@ async def of_program(engine: Engine, file: Path, text: str, *, seed: int = 0) ->
 
 async def of_session(engine: Engine, name: str, *, seed: int = 0) -> Material:
     """A session as it stands, run now; raises ReportError and SessionError."""
+    from c2s_engine.session.reader import Unreadable
     from c2s_engine.session.sessions import Sessions
 
     session = Sessions().open(name, engine, create=False)
     try:
         structure, program, folder = session.structure, session.program, session.details.get("folder")
+        idle = session.idle
+        if idle is None and engine.settings.method == "embedded":
+            with contextlib.suppress(Unreadable):
+                idle = await session.without_effect()
     finally:
         session.close()
     if not program.text.strip():
         raise ReportError(f"The session {name!r} has no program yet: say a scenario in it first.")
     found = await _run(engine, program, folder or _folder(engine, program), "program.scenic", seed)
     identity = re.sub(r"[^\w.-]+", "-", name).strip("-.") or "session"
-    return Material(id=identity, text=structure.text, origin=f"session {name}", structure=structure, **found)
+    return Material(
+        id=identity, text=structure.text, origin=f"session {name}", structure=structure, idle=idle or (), **found
+    )
 
 
 async def _run(engine: Engine, program: Program, folder: str | None, filename: str, seed: int) -> dict[str, Any]:

@@ -93,7 +93,10 @@ def _judged(motion: Motion, limits: dict, sideways: bool) -> Iterator[tuple[floa
         kept = np.where(settled, series, -np.inf)
         at = int(kept.argmax())
         bound = float(limits[name]["value"])
-        yield (bound - kept[at]) / (0.25 * bound), f"{name} up to {bound:g} {unit}", f"{kept[at]:.1f} {unit}", \
+        margin = (bound - kept[at]) / (0.25 * bound)
+        if round(float(kept[at]), 1) <= bound:  # as it is shown
+            margin = max(margin, 0.0)
+        yield margin, f"{name} up to {bound:g} {unit}", f"{kept[at]:.1f} {unit}", \
             float(motion.time[at])  # fmt: skip
 
 

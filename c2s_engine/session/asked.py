@@ -4,10 +4,13 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from c2s_engine.structure.account import STATUS_WORDS, account
+from c2s_engine.session.glossary import meaning
+from c2s_engine.session.why import explained
+from c2s_engine.session.yes_no import yes_or_no
+from c2s_engine.structure.account import STATUS_WORDS, Clause, account
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.facts import EGO, EventFact, ObjectFacts, RunFacts
-from c2s_engine.structure.happening import USUAL, ended, told
+from c2s_engine.structure.happening import USUAL, WORDS, ended, told
 from c2s_engine.structure.measures import ActorMeasures, Measures, PairMeasures, collisions
 from c2s_engine.structure.progress import Finished
 from c2s_engine.structure.requirements import failures, tally
@@ -28,9 +31,22 @@ _HELP = re.compile(
 _ELSEWHERE = re.compile(
     r"\b(?:regulations?|R1[0-9]{2}|UN|NCAP|clauses?|procedures?|snippets?|documentation|scenic|carla|define|definition|"
     r"example of|meaning of|show me)\b"
-    r"|^what (?:is|are) (?:an?|the)\b(?! (?:outcome|result|gap|distance|smallest|minimum))",
+    r"|^what (?:is|are) (?:an?\b|the\b(?!(?: [\w'-]+){0,3}? (?:outcome|result|gap|distance|smallest|least|minimum|"
+    r"largest|greatest|maximum|highest|lowest|speed|deceleration|braking|ttc|pet|time|weather|road|type|ego|O\d+)\b))",
     re.I,
 )
+_ASKS_MEANING = re.compile(r"what (?:is|are) (?!the\b)|what (?:do|does) .+ (?:mean|stand for)\b", re.I)
+_OF_THE_SCENE = re.compile(
+    r"(?:and |but |so )?(?:is|are|was|were|did|does|do|has|have|when|where|who|which|at what|at which|"
+    r"how (?:far|fast|hard|long|many|much|near|close|often))\b|.*\b(?:here|this|run|scene|scenario)\b", re.I | re.S
+)
+UNANSWERED = (
+    "I cannot answer that from the run or from S. `/search WORDS` in the app, or `c2s search`, looks in the documents."
+)
+_UNDERSTOOD = r"\b(?:underst(?:ood|and)|left out|lost from|dropped|ignored|account of)\b"
+_NEAR = r"\b(?:close|closest|near|nearest|far|gap|distance|apart|ttc|time to collision|pet|encroachment)\b"
+_STOPPED = r"\b(?:stop\w*|stand\w*|halt\w*)\b"
+_FAST = r"\b(?:fast\w*|speed\w*|velocity|km/h|slow\w*)\b"
 _WHY = re.compile(r"^(?:and |but |so )?(?:why|what makes|what made)\b", re.I)
 
 
@@ -39,18 +55,29 @@ def wants_help(text: str) -> bool:
     return bool(_HELP.fullmatch(text.strip()))
 
 
+def asks_for_account(text: str) -> bool:
+    """Whether a text asks what of the description was understood, or lost."""
+    return re.search(_UNDERSTOOD, text, re.I) is not None and text.rstrip().endswith("?")
+
+
 def answered(question: str, shown: Finished | None) -> str:
-    """The answer to a question about this scene or its run; empty where it asks something else."""
+    """The answer to a question about this scene or its run, or that there is none; empty where it asks something
+    else."""
     if shown is None or not shown.program.text or _ELSEWHERE.search(question):
         return ""
     about = _Asked(question, shown)
+    if _ASKS_MEANING.match(question.strip()) and (entry := meaning(question)):
+        measured = _near(about) if shown.facts and re.search(_NEAR, question, re.I) else ""
+        return f"{entry}\n{measured}".strip()
     for pattern, answer in TOPICS:
         if re.search(pattern, question, re.I):
             if answer in NEEDS_RUN and not shown.facts:
                 return "The program has not been run, so nothing is known of that: F5 (or `c2s run`) runs it."
             if said := answer(about):
                 return said
-    return ""
+    of_the_scene = not about.why and (about.named or _OF_THE_SCENE.match(question.strip()))
+    elsewhere = meaning(question) or explained(question, shown.structure)
+    return UNANSWERED if of_the_scene and not elsewhere else ""
 
 
 @dataclass(frozen=True)
@@ -91,8 +118,13 @@ class _Asked:
     @property
     def actors(self) -> list[ObjectFacts]:
         """The objects of the run that are asked about; those that are named, else all that move."""
+        return self.meant or [o for o in self.facts.objects if o.moves]
+
+    @property
+    def meant(self) -> list[ObjectFacts]:
+        """The objects of the run that are named, every member of a row."""
         cids = {c.id for c in self.structure.components if c.kind in "EO" and self.names(c)}
-        return [o for o in self.facts.objects if _cid(o) in cids] or [o for o in self.facts.objects if o.moves]
+        return [o for o in self.facts.objects if _cid(o) in cids]
 
     def motion(self, name: str) -> ActorMeasures | None:
         return next((a for a in self.measures.actors if a.name == name), None)
@@ -105,14 +137,28 @@ def _cid(thing: ObjectFacts) -> str | None:
 def _collided(asked: _Asked) -> str:
     found = collisions(asked.facts, asked.shown.requirements, bool(asked.structure.text))
     if not found:
-        return f"No collision in the run of {asked.facts.duration:.1f} s. {_near(asked)}".strip()
+        nearest = " ".join(_pair(p) for p in _pairs(asked)[:1])
+        return f"No collision in the run of {asked.facts.duration:.1f} s. {nearest}".strip()
     return ". ".join(f"{str(c)[0].upper()}{str(c)[1:]}" for c in found) + "."
 
 
 def _near(asked: _Asked) -> str:
-    named = {o.name for o in asked.actors}
+    if re.search(r"\b(?:start|begin)\w*\b|\bat first\b", asked.text, re.I) and (said := _apart_at_start(asked)):
+        return said
+    stops = _stopped(asked) if re.search(_STOPPED, asked.text, re.I) else ""
+    return " ".join([*(_pair(p) for p in _pairs(asked)[:4]), *([stops] if stops else [])])
+
+
+def _apart_at_start(asked: _Asked) -> str:
+    others = [o for o in (asked.meant or asked.facts.objects) if o.name != EGO and EGO in o.starts]
+    return " ".join(f"{o.name} starts {o.starts[EGO].gap:.1f} m from ego, bumper to bumper." for o in others)
+
+
+def _pairs(asked: _Asked) -> list[PairMeasures]:
+    """Ego with those that are asked about (else with all others, whether they move or not), the nearest first."""
+    named = {o.name for o in asked.meant}
     pairs = [p for p in asked.measures.pairs if p.other in named] or list(asked.measures.pairs)
-    return " ".join(_pair(p) for p in sorted(pairs, key=lambda p: p.gap_m)[:4])
+    return sorted(pairs, key=lambda p: p.gap_m)
 
 
 def _pair(pair: PairMeasures) -> str:
@@ -136,7 +182,8 @@ def _braked(asked: _Asked) -> str:
             seen = ", ".join(_event(e) for e in events)
             said.append(f"{actor.name} {seen}; {motion.braking:.1f} m/s2 at most, at {motion.braking_at_s:.1f} s.")
         elif motion:
-            said.append(f"{actor.name} does not brake in the run.")
+            hardest = f": {motion.braking:.1f} m/s2 at most, at {motion.braking_at_s:.1f} s" if motion.braking else ""
+            said.append(f"{actor.name} does not brake in the run{hardest}.")
     return " ".join(said)
 
 
@@ -169,7 +216,7 @@ def _fast(asked: _Asked) -> str:
     said = []
     for actor in asked.actors:
         if motion := asked.motion(actor.name):
-            held = f"holds {actor.held_speed * 3.6:.0f} km/h, " if actor.held_speed else ""
+            held = f"drives longest at {actor.held_speed * 3.6:.0f} km/h, " if actor.held_speed else ""
             said.append(f"{actor.name} {held}fastest {motion.fastest * 3.6:.0f} km/h, slowest "
                         f"{motion.slowest * 3.6:.0f} km/h at {motion.slowest_at_s:.1f} s.")  # fmt: skip
     return " ".join(said)
@@ -187,6 +234,29 @@ def _stopped(asked: _Asked) -> str:
     return " ".join(said)
 
 
+def _when(asked: _Asked) -> str:
+    """When what the question names happened: the events that share most words with it."""
+    names = {w for o in asked.facts.objects for w in _stems(o.name)} | _stems("ego the of in at and road ahead lane")
+    wanted = _stems(asked.text) - names
+    found = [(len(wanted & _stems(WORDS.get(e.event, e.event))), o.name, e) for o in asked.actors for e in o.events]
+    most = max((shared for shared, _, _ in found), default=0)
+    if not most:
+        return ""
+    best = sorted(((name, e) for shared, name, e in found if shared == most), key=lambda f: f[1].time)
+    said = "; ".join(f"{name} {_event(e)}" for name, e in best[:6]) + "."
+    return f"{said} {_fast(asked)}".strip() if re.search(_FAST, asked.text, re.I) else said
+
+
+def _stems(text: str) -> set[str]:
+    """The words of a text without the endings of verbs."""
+    words = re.findall(r"[a-z]+", text.lower().replace("_", " "))
+    return {re.sub(r"(?:ing|es|ed|s|e)$", "", w) if len(w) > 3 else w for w in words}
+
+
+def _lasted(asked: _Asked) -> str:
+    return f"The run ended after {asked.facts.duration:.1f} s: {ended(asked.facts)}."
+
+
 def _hidden(asked: _Asked) -> str:
     """Behind whom those who are asked about (else all others that move) are hidden from ego at the start."""
     others = [o for o in asked.actors if o.name != EGO]
@@ -198,7 +268,7 @@ def _happened(asked: _Asked) -> str:
     found = [(e.time, o.name, e) for o in asked.actors for e in o.events if e.event not in USUAL and e.time > 0]
     found.sort(key=lambda f: f[0])
     events = "; ".join(f"{time:.1f} s {name} {told(e)}" for time, name, e in found[:16])
-    end = f"The run ended after {asked.facts.duration:.1f} s: {ended(asked.facts)}."
+    end = _lasted(asked)
     return f"{events}. {end}" if events else f"There were no events. {end}"
 
 
@@ -216,13 +286,23 @@ def _met(asked: _Asked) -> str:
 
 def _accounted(asked: _Asked) -> str:
     """What became of the text, clause by clause, where that is not simply a part of S."""
-    clauses = account(asked.structure)
+    clauses = account(asked.structure, asked.shown.details.get("without_effect", ()))
     if not clauses:
         return "There is no text: S was made without one."
     whole = sum(1 for c in clauses if c.status == "understood")
-    lines = [f"“{c.text}”: {STATUS_WORDS[c.status]}" + (f" ({c.reason})" if c.reason else "")
+    lines = [f"“{c.text}”: {STATUS_WORDS[c.status]}" + (f" ({_lost(c)})" if c.lost else "")
              for c in clauses if c.status != "understood"]  # fmt: skip
     return "\n".join([f"{whole} of {len(clauses)} clauses of the text are in S as understood.", *lines])
+
+
+def _lost(clause: Clause) -> str:
+    """What of a clause is lost, and why: what is lost as a whole is not named again."""
+    reasons: dict[str, list[str]] = {}
+    for unmet in clause.lost:
+        names = reasons.setdefault(unmet.reason, [])
+        if unmet.text.strip(" .,;:") not in ("", clause.text.strip(" .,;:")):
+            names.append(f"“{unmet.text}”")
+    return "; ".join(f"{', '.join(names)}: {why}" if names else why for why, names in reasons.items())
 
 
 def _assumed(asked: _Asked) -> str:
@@ -232,6 +312,24 @@ def _assumed(asked: _Asked) -> str:
     return "\n".join(notes) or "Nothing was assumed."
 
 
+def _of_s(asked: _Asked) -> str:
+    return yes_or_no(asked.text, asked.structure)
+
+
+def _where(asked: _Asked) -> str:
+    """The place, and where those that are named start."""
+    named = " ".join(f"{c.id}: {c.description}" for c in asked.structure.objects if asked.names(c))
+    on = asked.shown.details.get("map")
+    return named or f"R: {asked.structure.place.description}" + (f" The map: {on}." if on else "")
+
+
+def _lanes(asked: _Asked) -> str:
+    lanes = getattr(asked.structure.place.spec, "lanes", None)
+    said = f"S says {lanes} in ego's direction" if lanes else "S leaves the number of lanes open"
+    seen = f"; in the run: {asked.facts.road.lanes_same_direction}" if asked.shown.facts else ""
+    return f"{said}{seen}."
+
+
 def _there(asked: _Asked) -> str:
     named = [c for c in asked.structure.components if c.kind in "EO" and asked.names(c)]
     chosen = named or [c for c in asked.structure.components if c.kind in "EO"]
@@ -239,17 +337,22 @@ def _there(asked: _Asked) -> str:
 
 
 TOPICS: tuple[tuple[str, Callable[[_Asked], str]], ...] = (
-    (r"\b(?:underst(?:ood|and)|left out|lost from|dropped|ignored|account of)\b", _accounted),
+    (_UNDERSTOOD, _accounted),
     (r"\b(?:assum\w+|guess\w*|left open|defaults?)\b", _assumed),
+    (r"^(?:and |but |so )?(?:when|at (?:what|which) (?:time|moment))\b", _when),
+    (r"^how long\b.*\b(?:run|scenario|last|take)\w*\b|\bduration\b", _lasted),
+    (r"\bhow many lanes\b", _lanes),
     (r"\b(?:colli\w+|crash\w*|hit|hits|touch\w*|contact|accident)\b", _collided),
     (r"\b(?:hidden|hid(?:e|es|ing)?|occlu\w+|visible|in sight|(?:could|did|does) (?:the )?ego see)\b", _hidden),
-    (r"\b(?:close|closest|near|nearest|gap|distance|apart|ttc|time to collision|pet|encroachment)\b", _near),
+    (_NEAR, _near),
     (r"\b(?:brak\w+|decelerat\w+|slow(?:s|ed|ing)? down)\b", _braked),
-    (r"\b(?:stop\w*|stand\w*|halt\w*)\b", _stopped),
-    (r"\b(?:fast\w*|speed\w*|velocity|km/h|slow\w*)\b", _fast),
+    (_STOPPED, _stopped),
+    (_FAST, _fast),
     (r"\b(?:requirements?|met|work\w*|pass(?:ed)?|fail\w*|as (?:said|described|intended)|successful)\b", _met),
+    (r"^(?:and |but |so )?where\b", _where),
+    (r"", _of_s),
     (r"^(?:when|what happen\w*|what (?:did|does|do)|what is going on|does|did|tell me what)\b", _happened),
     (r"^(?:who|what) (?:is|are)\b|\bhow many\b", _there),
 )
 """What is asked about, by the words of the field; the first topic that has an answer counts."""
-NEEDS_RUN = (_collided, _hidden, _near, _stopped, _fast, _happened)
+NEEDS_RUN = (_when, _lasted, _collided, _hidden, _near, _stopped, _fast, _happened)

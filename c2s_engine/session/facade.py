@@ -1,12 +1,12 @@
 """What the modules of this package ask of the facade above them (`c2s_engine.api.Engine`), which they cannot import."""
 
-from collections.abc import AsyncGenerator
+from collections.abc import AsyncGenerator, Sequence
 from contextlib import AbstractAsyncContextManager
 from typing import TYPE_CHECKING, Any, Protocol
 
 from c2s_engine.check.protocol import CheckReport
 from c2s_engine.config import Settings
-from c2s_engine.structure.components import Structure
+from c2s_engine.structure.components import Structure, Unmet
 from c2s_engine.structure.progress import Progress
 
 if TYPE_CHECKING:
@@ -20,6 +20,9 @@ class Turns(Protocol):
     def say(self, structure: Structure, text: str, /, *_: Any, **options: Any) -> AsyncGenerator[Progress, None]: ...
 
     def apply(self, structure: Structure, edits: Any, /, *_: Any, **options: Any) -> AsyncGenerator[Progress, None]: ...
+
+
+    async def without_effect(self, text: str) -> Sequence[Unmet]: ...
 
 
 class Checking(Protocol):

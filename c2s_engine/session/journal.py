@@ -10,6 +10,7 @@ import os
 import re
 import threading
 import time
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Literal
 
@@ -17,6 +18,7 @@ from pydantic import BaseModel, ConfigDict
 
 from c2s_engine.session.errors import SessionError
 from c2s_engine.session.files import sync_folder, write_whole
+from c2s_engine.structure.components import Unmet
 from c2s_engine.structure.edits import Edit
 
 COMPACT_AT = 256 << 10  # bytes
@@ -140,6 +142,32 @@ class Journal:
             self._last = entry["last"]
         with contextlib.suppress(ValueError, TypeError):
             self.unread = [*self.unread, *map(Unread.model_validate, entry.get("unread", ()))][-KEPT_TEXTS:]
+
+
+class Idle:
+    """By text, the phrases of it without which S would be the same: they take a while to find, so they are kept."""
+
+    def __init__(self, file: Path):
+        self.file = file
+
+    def of(self, text: str) -> tuple[Unmet, ...] | None:
+        """What was found of a text; None where nobody has looked, or what was written cannot be read."""
+        try:
+            return tuple(Unmet.model_validate(u) for u in self._all()[text])
+        except (KeyError, TypeError, ValueError):
+            return None
+
+    def keep(self, text: str, found: Sequence[Unmet]) -> None:
+        others = {k: v for k, v in self._all().items() if k != text}
+        kept = dict([*others.items(), (text, [u.model_dump(mode="json") for u in found])][-KEPT_TEXTS:])
+        write_whole(self.file, json.dumps(kept))
+
+    def _all(self) -> dict[str, Any]:
+        try:
+            found = json.loads(self.file.read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            return {}
+        return found if isinstance(found, dict) else {}
 
 
 class Drafts:

@@ -12,13 +12,14 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from c2s_engine.session.asked import asks_for_account
 from c2s_engine.session.errors import SessionError, SessionInUse
 from c2s_engine.session.facade import Turns
 from c2s_engine.session.files import write_whole
-from c2s_engine.session.journal import Drafts, Journal, Pending, Unread
+from c2s_engine.session.journal import Drafts, Idle, Journal, Pending, Unread
 from c2s_engine.session.state import NOTHING, State, edit_words, futile, summary
 from c2s_engine.session.store import Row, Store, TurnRow
-from c2s_engine.structure.components import Structure
+from c2s_engine.structure.components import Structure, Unmet
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.edits import Edit
 from c2s_engine.structure.facts import RunFacts
@@ -62,6 +63,7 @@ class Session:
         self._lock = _locked(folder, row.name)
         self._journal = Journal(folder / "journal.jsonl")
         self._drafts = Drafts(folder / "drafts")
+        self._idle = Idle(folder / "idle.json")
         self._running = False
         self._same: dict[str, bool] = {}  # by checkpoint: whether its turn left S and the program as they were
         row = store.row(row.name) or row
@@ -112,6 +114,20 @@ class Session:
     def details(self) -> dict[str, Any]:
         """The facade's details that outlive a turn: map, folder (where the program's map lies), places."""
         return self._state.details
+
+    @property
+    def idle(self) -> tuple[Unmet, ...] | None:
+        """The phrases of the text without which S would be the same; None where nobody has looked for them yet."""
+        return self._idle.of(self.structure.text)
+
+    async def without_effect(self) -> tuple[Unmet, ...]:
+        """These phrases, looked for where nobody has; they are kept. Raises Unreadable. Where a model has written S,
+        the embedded interpreter cannot tell: then there are none."""
+        text, found = self.structure.text, self.idle
+        if found is None and text and not any(c.origin == "generated" for c in self.structure.components):
+            found = tuple(await self._engine.without_effect(text))
+            await asyncio.to_thread(self._idle.keep, text, found)
+        return found or ()
 
     @property
     def history(self) -> list[Turn]:
@@ -240,8 +256,12 @@ class Session:
             turn = begin()
             if self._head is None:
                 self._head = await asyncio.to_thread(self._root)
+            if turn.kind == "say" and turn.options.get("method") in (None, "embedded") and asks_for_account(turn.text):
+                with contextlib.suppress(ValueError, OSError):  # what cannot be read has no phrases
+                    await self.without_effect()
             values = {
                 "request": turn.model_dump(mode="json"),
+                "idle": [u.model_dump(mode="json") for u in self.idle or ()],
                 "last": self._last(turn),
                 "state": self._state.model_dump(mode="json"),
             }
@@ -258,6 +278,8 @@ class Session:
             if finished and back not in ("undo", "redo") and not futile(finished):
                 await asyncio.to_thread(self._commit, turn, finished, tuple(said))
                 read = True
+            elif finished and futile(finished) and not said:  # why, as the fronts tell it
+                said += [d.message for d in finished.diagnostics if d.severity == "error"]
             read = read or back in ("undo", "redo")
         except (asyncio.CancelledError, GeneratorExit):
             said.append("Cancelled; nothing was changed.")

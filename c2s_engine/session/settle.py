@@ -152,7 +152,7 @@ def _gap_open(structure: Structure, fields: list[str], why: str) -> Structure:
 def _one_lane(structure: Structure, why: str) -> Structure:
     """The structure on a road of one lane each way, where lane changes and overtaking go by the oncoming lane."""
     place = structure.place
-    note = _instead("lanes", "1", getattr(place.spec, "lanes", None) or "left open", why)
+    note = _instead("lanes", "1", getattr(place.spec, "lanes", None), why)
     spec = place.spec.model_copy(update={"lanes": 1})
     return structure.with_component(place.model_copy(update={"spec": spec, "assumed": (*place.assumed, note)}))
 
@@ -194,7 +194,8 @@ def _without(structure: Structure, fields: tuple[str, ...], why: str) -> Structu
 
 
 def _instead(field: str, value: str, was: object, why: str) -> Assumption:
-    return Assumption(field=field, value=value, reason=f"it was {_told(was)}: {why}")
+    said = "" if was is None else _told(was)
+    return Assumption(field=field, value=value, reason=f"it was {said or 'left open'}: {why}", was=said)
 
 
 def _told(value: object) -> str:

@@ -16,7 +16,7 @@ from langgraph.graph.state import CompiledStateGraph
 from c2s_engine.session.facade import Turns
 from c2s_engine.session.journal import Pending
 from c2s_engine.session.state import State, cleared
-from c2s_engine.structure.components import Structure
+from c2s_engine.structure.components import Structure, Unmet
 from c2s_engine.structure.progress import Finished
 
 
@@ -25,6 +25,7 @@ class TurnState(TypedDict, total=False):
 
     request: dict[str, Any]
     last: tuple[str, dict[str, Any]] | None
+    idle: list[dict[str, Any]]
     state: dict[str, Any]
 
 
@@ -36,12 +37,12 @@ def build_turns(engine: Turns, checkpointer: BaseCheckpointSaver) -> CompiledSta
         before = State.model_validate(values["state"])
         request = Pending.model_validate(values["request"])
         after = before
-        async with aclosing(_events(engine, before, request, values.get("last"))) as events:  # type: ignore[type-var]
+        async with aclosing(_events(engine, before, request, values)) as events:  # type: ignore[type-var]
             async for event in events:
                 if isinstance(event, Finished):
                     after = before.after(event)
                 write(event)
-        return {"request": {}, "last": None, "state": after.model_dump(mode="json")}
+        return {"request": {}, "last": None, "idle": [], "state": after.model_dump(mode="json")}
 
     graph = StateGraph(TurnState)
     graph.add_node("turn", turn)  # type: ignore[call-overload]
@@ -50,14 +51,15 @@ def build_turns(engine: Turns, checkpointer: BaseCheckpointSaver) -> CompiledSta
     return graph.compile(checkpointer=checkpointer)
 
 
-def _events(
-    engine: Turns, before: State, request: Pending, last: tuple[str, dict[str, Any]] | None
-) -> AsyncIterator[Any]:
-    structure = before.structure
+def _events(engine: Turns, before: State, request: Pending, values: TurnState) -> AsyncIterator[Any]:
+    structure, last = before.structure, values.get("last")
     if request.kind == "say":
         passages = before.details.get("passages", ())
         typed = (last[0], Structure.model_validate(last[1])) if last else None
-        known = {"passages": passages, "last": typed, "shown": before.finished()}
+        shown = before.finished()
+        idle = tuple(map(Unmet.model_validate, values.get("idle", ())))
+        shown = shown.model_copy(update={"details": {**shown.details, "without_effect": idle}})
+        known = {"passages": passages, "last": typed, "shown": shown}
         return engine.say(structure, request.text, **known, **request.options)
     if request.kind == "regenerate":
         structure = cleared(structure, request.components)

@@ -63,10 +63,12 @@ def _lowered(structure: Structure, speeds: dict[Field, Quantity], share: float, 
             continue
         open_ = (cid, path) not in said or path in {a.field for a in structure[cid].assumed}
         now = round(low(speed) * share, 2), round(high(speed) * share, 2)
-        was = "left open" if open_ else f"{in_words(path, speed)} was said"
-        reason = f"{was}; the roads of {where} have room for {in_words(path, now)}"
+        was = "" if open_ else in_words(path, speed)
+        before = f"{was} was said" if was else "left open"
+        reason = f"{before}; the roads of {where} have room for {in_words(path, now)}"
         unknown = Unknown(cid, path, middle(speed))
-        changed = chosen(changed, unknown, now[1] if now[0] == now[1] else now, reason, PLANNER if open_ else FITTED)
+        by = PLANNER if open_ else FITTED
+        changed = chosen(changed, unknown, now[1] if now[0] == now[1] else now, reason, by, was)
     return changed
 
 

@@ -108,8 +108,9 @@ def _is_timed(structure: Structure, unknown: Unknown) -> bool:
 
 
 def chosen(structure: Structure, unknown: Unknown, value: Quantity, reason: str = REASON,
-           by: str = PLANNER) -> Structure:  # fmt: skip
-    """S with a value or a range for an unknown, said in `assumed`; S as it is where the field cannot take it."""
+           by: str = PLANNER, was: str = "") -> Structure:  # fmt: skip
+    """S with a value or a range for an unknown, said in `assumed` (`was`: what was said in its place); S as it is where
+    the field cannot take it."""
     kept = structure[unknown.component].assumed
     field = unknown.path
     setting = {"kind": "time", "value": value} if field.endswith("trigger") else value
@@ -120,7 +121,7 @@ def chosen(structure: Structure, unknown: Unknown, value: Quantity, reason: str 
     said = in_words(field, value)
     if field.endswith(".value"):
         said += f" {UNITS[value_at(structure[unknown.component].spec, field.removesuffix('value') + 'kind')]}"  # type: ignore[index]
-    note = Assumption(field=field, value=said, reason=reason, by=by)
+    note = Assumption(field=field, value=said, reason=reason, by=by, was=was)
     others = tuple(a for a in kept if a.field != field)
     changed = changed.with_component(changed[unknown.component].model_copy(update={"assumed": (*others, note)}))
     return retold(structure, changed)

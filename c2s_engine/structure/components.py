@@ -47,6 +47,7 @@ class Assumption(Frozen):
     reason: str
     by: str = Field("", description="`writer`, `planner`, `place` where these decided; else whoever read the text")
     amount: Quantity | None = Field(None, description="the value as a number, SI units, where it is not in the spec")
+    was: str = Field("", description="what was said in its place, where that was given up")
 
     @property
     def called(self) -> str:
@@ -173,6 +174,12 @@ class Structure(Frozen):
     def next_object_id(self) -> ComponentId:
         numbers = [int(o.id[1:]) for o in self.objects]
         return f"O{max(numbers, default=0) + 1}"
+
+
+def given_up(structure: Structure) -> tuple[str, ...]:
+    """What was said and has another value now, since the place or its roads do not have it: "E speed 130 km/h ->
+    91 km/h"."""
+    return tuple(f"{c.id} {a.called} {a.was} -> {a.value}" for c in structure.components for a in c.assumed if a.was)
 
 
 def unrecognised(structure: Structure) -> tuple[ComponentId, ...]:

@@ -199,9 +199,13 @@ class Condition(Spec):
     kind: v.ConditionKind
     subject: Reference = "ego"
     other: Reference | None = None
-    minimum: float | None = Field(None, description="at least so much: m or s")
-    maximum: float | None = Field(None, description="at most so much: m or s")
+    minimum: float | None = Field(None, description="distance, closest, travelled: m; time: s; at least so much")
+    maximum: float | None = Field(None, description="distance, closest, travelled: m; time: s; at most so much")
     action: v.Action | None = None
+
+
+BOUNDED_IN = "speed: m/s; acceleration, deceleration, lateral_acceleration: m/s2; jerk: m/s3; gap: m; ttc: s"
+"""The unit of a limit, by its kind."""
 
 
 class Limit(Spec):
@@ -210,8 +214,8 @@ class Limit(Spec):
     kind: v.LimitKind = Field(description="what is bounded")
     subject: Reference = "ego"
     other: Reference | None = Field(None, description="gap, ttc, collision: to whom; default: to everybody")
-    minimum: float | None = Field(None, description="at least so much: m/s, m/s2, m/s3, m or s")
-    maximum: float | None = Field(None, description="at most so much")
+    minimum: float | None = Field(None, description=f"{BOUNDED_IN}; at least so much")
+    maximum: float | None = Field(None, description=f"{BOUNDED_IN}; at most so much")
 
     @model_validator(mode="after")
     def _bounded(self) -> "Limit":

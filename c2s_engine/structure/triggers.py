@@ -1,6 +1,6 @@
 """Triggers in words, and which of them say of themselves whom they watch."""
 
-from c2s_engine.structure.quantity import high, low
+from c2s_engine.structure.quantity import high, in_words, low
 from c2s_engine.structure.specs import EgoSpec, Trigger
 
 _KINDS = ("apart", "passed", "speed", "light", "seen", "contact")
@@ -29,7 +29,7 @@ def clause(t: Trigger, one: str, other: str) -> str:
         "distance": f"{one} is {value} m from {other}", "apart": f"{one} is as far as {value} m from {other}",
         "ttc": f"{one} is {value} s from {other}", "time": f"{value} s have passed",
         "action": f"{other}: {action} begins", "passed": f"{one} has gone by {other}",
-        "speed": f"{one} goes at {value} m/s",
+        "speed": f"{one} goes at {in_words('speed', t.value) if t.value is not None else 'some speed'}",
         "light": f"the light before {one} is {t.light}", "seen": f"{one} can see {other}",
         "contact": f"{one} and {other} touch", "place": f"{one} is {value} m before the {place}",
     }  # fmt: skip

@@ -55,8 +55,23 @@ def phase(part: dict[str, Any], text: Text) -> str:
 
 
 def trigger(part: dict[str, Any], text: Text) -> str:
-    """`when ego is 25 m away`."""
+    """`when ego is 25 m away`, `once O1 cuts in, and 2 s later`."""
+    delay = part.get("delay")
+    return _event(part, text) + (f", and {text(delay, 's')} later" if delay not in EMPTY else "")
+
+
+def _event(part: dict[str, Any], text: Text) -> str:
     of, value = part.get("of") or "the other", part.get("value")
+    who = part.get("subject") or "it"
+    if part["kind"] == "apart":
+        return f"when {who} is as far as {text(value, 'm')} from {of}"
+    if part["kind"] == "speed":
+        return f"when {who} goes at {text(value, 'm/s')}"
+    if part["kind"] in ("passed", "seen", "contact"):
+        words = {"passed": f"{who} has gone by {of}", "seen": f"{who} can see {of}", "contact": f"{who} and {of} touch"}
+        return f"when {words[part['kind']]}"
+    if part["kind"] == "light":
+        return f"when the light before {who} is {part.get('light') or 'another'}"
     if part["kind"] == "distance":
         return f"when {of} is {text(value, 'm')} away"
     if part["kind"] == "ttc":

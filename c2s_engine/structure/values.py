@@ -11,6 +11,8 @@ from c2s_engine.structure import value_words as words
 from c2s_engine.structure.edits import EditError
 
 UNIT = re.compile(r"(?:^|[,:] )(m/s2|m/s|m|s)(?=$|[,;])")
+_LEADING = re.compile(r"(?:m/s2|m/s|m|s)\b(?!/)")
+_BY_KIND = re.compile(r"\w+(?:, \w+)*: (?:m/s2|m/s|m|s)\b")
 KMH = 3.6
 
 
@@ -61,7 +63,7 @@ def _field(spec: BaseModel, name: str, info: Any, path: str, depth: int) -> list
     if model is not None and value is None:  # an optional part that is absent: one row, its own fields appear once set
         return [Field(path, None, False, about=about, depth=depth, choices=head_choices(model))]
     choices = _choices(info.annotation)
-    unit = _unit(about)
+    unit = _unit_of(about, getattr(spec, "kind", None))
     many = isinstance(value, tuple) and not unit and get_origin(info.annotation) is tuple
     return [Field(path, plain, is_set, choices=choices, many=many, unit=unit, about=about, depth=depth)]
 
@@ -84,6 +86,15 @@ def field_at(spec: BaseModel, path: str) -> Field | None:
 def _unit(about: str) -> str:
     """The unit that a field's description names; "": none."""
     return match[1] if (match := UNIT.search(about)) else ""
+
+
+def _unit_of(about: str, kind: Any) -> str:
+    """The unit of a field beside a `kind`, where its description names one by kind: "ttc, time: s since the start"."""
+    for part in about.split(";"):
+        kinds, colon, rest = part.partition(":")
+        if colon and kind in [name.strip() for name in kinds.split(",")]:
+            return match[0] if (match := _LEADING.match(rest.strip())) else ""
+    return "" if kind is not None and _BY_KIND.match(about) else _unit(about)
 
 
 def _described(info: Any) -> str:

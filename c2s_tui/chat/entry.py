@@ -4,7 +4,7 @@ from textual.binding import Binding
 from textual.events import Key
 
 from c2s_tui.in_order import OrderedArea
-from c2s_tui.messages import CommandAsked, Said
+from c2s_tui.messages import CommandAsked, Said, ScrollAsked
 
 
 class Entry(OrderedArea):
@@ -14,6 +14,8 @@ class Entry(OrderedArea):
     BINDINGS = [
         Binding("escape", "cancel", "Cancel", id="chat.cancel", tooltip="Cancel what runs; what is typed stays"),
         Binding("alt+enter,ctrl+j", "newline", "New line", show=False, id="chat.newline", tooltip="Begin a new line"),
+        Binding("pageup", "scroll_chat(-1)", "Scroll up", show=False, id="chat.up", tooltip="Scroll the chat up"),
+        Binding("pagedown", "scroll_chat(1)", "Scroll down", show=False, id="chat.down", tooltip="Scroll it down"),
     ]
 
     def __init__(self, **options):
@@ -82,6 +84,9 @@ class Entry(OrderedArea):
 
     def action_newline(self) -> None:
         self.insert("\n")
+
+    def action_scroll_chat(self, by: int) -> None:
+        self.post_message(ScrollAsked(by))
 
     def action_cancel(self) -> None:
         self.post_message(CommandAsked("cancel"))

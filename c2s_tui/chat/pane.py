@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from textual import on
 from textual.app import ComposeResult
 from textual.containers import Vertical, VerticalScroll
 from textual.widget import Widget
@@ -11,6 +12,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.progress import Passage, Progress, Say, Token
 from c2s_tui.chat.bubbles import Answer, Line, Sources
 from c2s_tui.chat.entry import Entry
+from c2s_tui.messages import ScrollAsked
 
 KEPT = 400
 """Entries of the conversation that stay on the screen; the session keeps all."""
@@ -47,6 +49,20 @@ class ChatPane(Vertical):
 
     def on_mount(self) -> None:
         self.conversation.anchor()
+
+    @on(ScrollAsked)
+    def _scroll(self, event: ScrollAsked) -> None:
+        event.stop()
+        conversation = self.conversation
+        if event.by < 0:
+            conversation.release_anchor()  # else it follows what is new at the end
+            conversation.scroll_page_up(animate=False)
+        else:
+            conversation.scroll_page_down(animate=False, on_complete=self._at_end)
+
+    def _at_end(self) -> None:
+        if self.conversation.is_vertical_scroll_end:
+            self.conversation.anchor()
 
     def show(self, structure: Structure, here: str | None) -> None:
         """In the text that S was read from, colour the words by component, and mark what was lost."""

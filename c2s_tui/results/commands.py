@@ -13,7 +13,11 @@ class ResultsCommands(Part):
     """Commands that concern what runs show."""
 
     async def do_results(self, argument: str) -> None:
-        """Show the results of the run, or close them."""
+        """Show the results of the run, or close them where they can be seen."""
+        if self.bench.results.has_class("-on") and self._behind():
+            self.bench.room.go_to("results")
+            self.bench.results.show(self.desk)
+            return
         if self.bench.results.has_class("-on"):
             if self.bench.turns.busy and argument == "close":
                 await self.bench.turns.do_cancel("")
@@ -31,6 +35,11 @@ class ResultsCommands(Part):
         idle = self.bench.session is not None and not self.bench.turns.busy
         if idle and self.desk.program.text and not self.desk.trajectories:
             self.bench.turns.run_again(told=False)
+
+    def _behind(self) -> bool:
+        """Whether another pane is in front of them, where there is room for one at a time."""
+        alone = self.bench.has_class("-narrow") or self.bench.query_one("#panes").has_class("-zoom")
+        return alone and self.bench.room.current_pane != "results"
 
     @background("gaps")
     async def find_gaps(self) -> None:

@@ -19,9 +19,14 @@ class ScreenCommands(Part):
         titles = {"chat": "the chat", "sheet": "the structure S", "code": "the code", "picture": "the picture"}
         self.app.push_screen(help_screen(titles.get(name, name), focused, self.app.prefs.keys))
 
-    async def do_glossary(self, _: str) -> None:
-        from c2s_engine.session.glossary import terms
+    async def do_glossary(self, argument: str) -> None:
+        from c2s_engine.session.glossary import meaning, terms
 
+        if argument:
+            entry = meaning(argument)
+            unknown = f"The glossary has no word {argument}; /glossary lists all of them."
+            await self.chat.note(entry or unknown, "say" if entry else "error")
+            return
         words = Content("\n").join(Content.assemble((name, "bold"), f": {text}") for name, text in terms().items())
         self.app.push_screen(Reading("Glossary", words))
 

@@ -16,7 +16,7 @@ from c2s_engine.structure.values import Field, head_name, parse
 from c2s_tui.in_order import OrderedLine
 from c2s_tui.sheet.rows import SENTENCE, Row
 
-SHOWN_CHOICES = 14
+SHOWN_CHOICES = 40
 
 
 class FieldEditor(Vertical):
@@ -37,6 +37,9 @@ class FieldEditor(Vertical):
     class Opened(Message):
         """The line is there."""
 
+    class Resized(Message):
+        """It has another height: it opened, or its help or an error has other words."""
+
     class Typed(Message):
         """What is typed so far is a valid edit (or is not: None)."""
 
@@ -53,15 +56,21 @@ class FieldEditor(Vertical):
     def compose(self) -> ComposeResult:
         value = "" if self._appends else self.row.text
         choices = self._choices()
-        yield OrderedLine(
+        line = OrderedLine(
             value, compact=True, select_on_focus=False,
             suggester=SuggestFromList(choices, case_sensitive=False) if choices else None,
         )  # fmt: skip
+        if self.row.kind != SENTENCE:
+            line.select_all()  # what is typed takes the place of the old value; a sentence is changed in places
+        yield line
         yield Static(self._hint(), markup=False)
 
     def on_mount(self) -> None:
         self.post_message(self.Opened())
         self.call_after_refresh(self._show_cursor)
+
+    def on_resize(self) -> None:
+        self.post_message(self.Resized())
 
     def _show_cursor(self) -> None:
         """The line was as wide as nothing when its cursor was put at the end. A sentence that is longer than the line
@@ -98,7 +107,8 @@ class FieldEditor(Vertical):
             return Content.assemble((text, "$text"), "\n", said) if self._hides(text) else said
         parts = [self.field.about] if self.field and self.field.about else []
         if choices := self._choices():
-            more = f" ... {len(choices)} in all" if len(choices) > SHOWN_CHOICES else ""
+            rest = len(choices) - SHOWN_CHOICES
+            more = f" and {rest} more" if rest > 0 else ""
             parts.append("one of " + ", ".join(choices[:SHOWN_CHOICES]) + more)
         elif self.field and self.field.unit == "m/s":
             parts.append("typed without a unit it is km/h")

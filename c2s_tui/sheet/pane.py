@@ -6,6 +6,7 @@ from textual import on
 from textual.binding import Binding
 from textual.containers import VerticalScroll
 from textual.events import Click, Key
+from textual.geometry import Region
 from textual.widgets import Input
 
 from c2s_engine.structure.edits import AddObject, MoveObject, RemoveObject, SetCode, SetField
@@ -97,6 +98,24 @@ class SheetPane(VerticalScroll):
         del views[len(lines) :]
         self.cursor = next((i for i, row in enumerate(lines) if row.key == at), min(self.cursor, len(lines) - 1))
         self._mark()
+        if self.has_focus or self.editing:
+            self._reveal()
+
+    def _reveal(self, rows: int = 1) -> None:
+        """Once it is laid out, bring the cursor's row into view with what has opened there: `rows` of them, the field
+        that is edited and its help. Where not all has room, the row itself stays."""
+
+        def scroll() -> None:
+            here = self.views[self.cursor : self.cursor + rows]
+            opened = [*self.query(FieldEditor), *self.query("#new-object")]
+            regions = [view.virtual_region for view in [*here, *opened] if view.virtual_region.area]
+            if regions:
+                whole = Region.from_union(regions)
+                first = regions[-1] if opened else regions[0]
+                for region in (whole, first):
+                    self.scroll_to_region(region, animate=False, immediate=True, force=True)
+
+        self.call_after_refresh(self.call_after_refresh, scroll)
 
     def _mark(self) -> None:
         for i, view in enumerate(self.views):
@@ -157,6 +176,7 @@ class SheetPane(VerticalScroll):
         if row := self.here:
             self.unfolded ^= {row.cid}
             self._lay()
+            self._reveal(1 + sum(r.cid == row.cid for r in self.rows[self.cursor + 1 :]))
 
     @property
     def editing(self) -> bool:
@@ -171,7 +191,8 @@ class SheetPane(VerticalScroll):
         for line in self.query(Input):
             if line.is_mounted:
                 self.screen.set_focus(line)
-                line.insert_text_at_cursor(self._ahead)
+                if self._ahead:
+                    line.replace(self._ahead, *sorted(line.selection))
                 self._ahead = ""
 
     def _edit(self, row: Row) -> None:
@@ -186,6 +207,11 @@ class SheetPane(VerticalScroll):
     def _opened(self, event: FieldEditor.Opened) -> None:
         event.stop()
         self.pass_on()
+
+    @on(FieldEditor.Resized)
+    def _resized(self, event: FieldEditor.Resized) -> None:
+        event.stop()
+        self._reveal()
 
     @on(FieldEditor.Typed)
     def _typed(self, event: FieldEditor.Typed) -> None:
@@ -227,7 +253,7 @@ class SheetPane(VerticalScroll):
         words = "a type (car, pedestrian, cone ...) or a sentence"
         line = OrderedLine(placeholder=words, id="new-object", compact=True)
         await self.mount(line)
-        self.scroll_end(animate=False)
+        self._reveal()
         self.pass_on()
 
     @on(Input.Submitted, "#new-object")

@@ -3,6 +3,7 @@
 from random import Random
 
 import pytest
+from scripted_engine import CUT_IN
 from textual.events import Key
 from textual.widgets import OptionList, Tabs
 
@@ -216,3 +217,43 @@ async def test_sessions_are_renamed_and_deleted(stage):
         await pilot.press("down", "enter")
         await stage.until(pilot, lambda: stage.said and stage.said[-1] == "The session evening is deleted.")
         assert [s.name for s in stage.backends[0].sessions.list()] == ["night"]
+
+
+async def test_a_new_session_is_said_to_be_made_or_to_be_there(stage):
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        for said in ("Session evening made.", "evening is there already: opened."):
+            await stage.bench.run_command("new", "evening")
+            await stage.until(pilot, lambda said=said: stage.said[-1:] == [said])
+            await stage.bench.run_command("new", "morning")
+            await stage.until(pilot, lambda: stage.bench.session.name == "morning")
+
+
+async def test_what_is_sent_before_the_session_is_open_waits_for_it(stage):
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.until(pilot, lambda: stage.bench is not None)
+        await stage.ready(pilot)
+        session, stage.bench.session = stage.bench.session, None  # as it is while another is still being opened
+        for text in ("/map town", CUT_IN, "What is a cut-in?"):
+            await stage.say(pilot, text, wait=False)
+            said = f"Waiting until the session is open: “{text}”"
+            await stage.until(pilot, lambda said=said: stage.said[-1:] == [said])
+        stage.bench.session = session
+        await stage.bench.turns.say_early(opened=True)
+        await stage.until(pilot, lambda: stage.bench.desk.structure.text == CUT_IN and not stage.busy)
+        await stage.until(pilot, lambda: stage.bench.choices.choice.map == "town")
+        assert stage.bench.chat.entry.text == "What is a cut-in?"
+
+
+async def test_page_up_in_the_line_scrolls_the_chat(stage):
+    async with stage.described(size=(80, 24)) as pilot:
+        chat = stage.bench.chat
+        for i in range(40):
+            await chat.note(f"line {i}")
+        await stage.until(pilot, lambda: chat.conversation.scroll_y == chat.conversation.max_scroll_y > 0)
+        chat.entry.focus()
+        await pilot.press("pageup")
+        await stage.until(pilot, lambda: chat.conversation.scroll_y < chat.conversation.max_scroll_y)
+        assert chat.entry.has_focus
+        await pilot.press("pagedown")
+        await stage.until(pilot, lambda: chat.conversation.scroll_y == chat.conversation.max_scroll_y)

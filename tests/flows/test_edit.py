@@ -1,12 +1,14 @@
 """Edits of S and of the code, and back."""
 
 import threading
+from typing import get_args
 
 from scripted_engine import CUT_IN
 from textual.events import Key
 
 from c2s_engine.structure.edits import AddObject, SetField
 from c2s_engine.structure.specs import ObjectSpec, Placement
+from c2s_engine.structure.vocabulary import Position
 
 
 def test_edit_an_object_shows_its_reach_and_rewrites_only_that(stage, compare):
@@ -72,6 +74,39 @@ def test_a_refused_value_is_explained_at_the_field(stage, compare):
     assert compare(flow, size=(80, 24))
 
 
+async def test_what_opens_at_the_lower_edge_is_in_view(stage):
+    """At 80x24 each row is reached from above, so it is the last that is seen when its line opens below it."""
+    async with stage.described(size=(80, 24)) as pilot:
+        sheet = stage.bench.sheet
+
+        def seen(widget):
+            return sheet.region.contains_region(widget.region)
+
+        def in_view():
+            editor = sheet.editor
+            return editor is not None and editor.size.height > 1 and seen(editor) and len(editor.query("Input")) == 1
+
+        await stage.to_row(pilot, "O1")
+        await pilot.press("space")
+        await stage.until(pilot, lambda: any(row.key == "O1:placement.of" for row in sheet.rows))
+        await stage.until(pilot, lambda: seen(sheet.views[sheet.cursor]) and seen(sheet.views[sheet.cursor + 3]))
+        tried = 0
+        await pilot.press("home")
+        while tried < 3:
+            await pilot.press("down")
+            row = sheet.here
+            if sheet.views[sheet.cursor].region.bottom < sheet.region.bottom - 1 or not (row.field and row.field.leaf):
+                continue
+            tried += 1
+            await pilot.press("enter")
+            await stage.until(pilot, in_view)
+            await pilot.press("escape")
+            await stage.until(pilot, lambda: sheet.editor is None)
+            await stage.until(pilot, lambda: seen(sheet.views[sheet.cursor]))
+        await pilot.press("end", "enter")
+        await stage.until(pilot, lambda: sheet.query("#new-object") and seen(sheet.query_one("#new-object")))
+
+
 def test_undo_and_redo(stage, compare):
     async def flow(pilot):
         await stage.say(pilot, CUT_IN)
@@ -89,6 +124,29 @@ def test_undo_and_redo(stage, compare):
         assert stage.bench.session.can_undo and not stage.bench.session.can_redo
 
     assert compare(flow)
+
+
+async def test_what_is_typed_takes_the_place_of_the_old_value(stage):
+    """The arrow keys keep it; a sentence is changed in places; the hint names every value."""
+    async with stage.described() as pilot:
+        await stage.editing(pilot, "O1:name")
+        line = stage.bench.sheet.editor.query_one("Input")
+        assert line.selected_text == "van"
+        await pilot.press("end", "2")
+        assert line.value == "van2"
+        await pilot.press("escape")
+        await stage.until(pilot, lambda: stage.bench.sheet.has_focus)
+        await stage.editing(pilot, "O1:type")
+        await pilot.press("b", "u", "s", "enter")
+        await stage.until(pilot, lambda: stage.bench.desk.structure["O1"].spec.type == "bus" and not stage.busy)
+        await stage.editing(pilot, "O1:sentence")
+        assert not stage.bench.sheet.editor.query_one("Input").selected_text
+        await pilot.press("escape")
+        await pilot.press("space")
+        await stage.until(pilot, lambda: any(row.key == "O1:placement.position" for row in stage.bench.sheet.rows))
+        await stage.editing(pilot, "O1:placement.position")
+        hint = stage.bench.sheet.editor._hint().plain
+        assert all(position in hint for position in get_args(Position))
 
 
 async def test_objects_are_added_moved_and_removed(stage):
@@ -154,7 +212,7 @@ async def test_what_is_typed_ahead_is_text_and_no_command(stage):
         for key in ("enter", "x", "a", "u"):  # all of it before the app has done any
             stage.app.post_message(Key(key, key if len(key) == 1 else "\r"))
         await stage.until(pilot, lambda: stage.bench.sheet.editor and stage.bench.sheet.editor.query("Input"))
-        await stage.until(pilot, lambda: stage.bench.sheet.editor.query_one("Input").value == "vanxau")
+        await stage.until(pilot, lambda: stage.bench.sheet.editor.query_one("Input").value == "xau")
         await pilot.press("escape")
         await stage.until(pilot, lambda: stage.bench.sheet.has_focus)
         for key in ("f2", "x", "a"):

@@ -31,3 +31,13 @@ async def test_in_the_code_its_keys_are_named(stage):
         assert stage.bench.code.area.cursor_location[0] + 1 == next(
             s.first for s in stage.bench.code.side.spans if s.component == "E"
         )  # the code opens at ego
+
+
+async def test_one_word_of_the_glossary_is_answered_in_the_chat(stage):
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        await stage.say(pilot, "/glossary PET")
+        assert stage.said[-1].startswith("PET: Post-encroachment time")
+        await stage.say(pilot, "/glossary flux")
+        assert stage.said[-1] == "The glossary has no word flux; /glossary lists all of them."
+        assert len(stage.app.screen_stack) == 2

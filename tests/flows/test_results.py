@@ -5,8 +5,13 @@ import threading
 
 from scripted_engine import CUT_IN, Script
 
-from c2s_engine.structure.components import Unmet
+from c2s_engine.structure.components import Assumption, Component, Structure, Unmet
+from c2s_engine.structure.diagnostics import StageResult
+from c2s_engine.structure.requirements import Result
+from c2s_engine.structure.specs import EgoSpec
+from c2s_tui.desk import Desk
 from c2s_tui.results.plot import Curve, plot
+from c2s_tui.summary import summary
 
 
 def report(stage) -> str:
@@ -131,3 +136,28 @@ def test_a_plot_has_its_greatest_value_on_top_and_joins_its_dots():
     columns = [any(line[i : i + 1] not in ("", " ") for line in drawn[:-1]) for i in range(6, 26)]
     assert all(columns), "every column has a dot"
     assert plot([], 2.0, 26, 4, "m").plain == "" and plot([Curve([1, 2], "red")], 2, 10, 4, "m").plain == ""
+
+
+def test_what_was_given_up_stands_beside_the_requirements():
+    notes = (Assumption(field="speed", value="91 km/h", reason="the roads have no more room", was="130 km/h"),
+             Assumption(field="reaction", value="brake", reason="the text does not say"))  # fmt: skip
+    structure = Structure(ego=Component(id="E", spec=EgoSpec(), assumed=notes))
+    ran = StageResult(name="run", ok=True)
+    met = (Result(requirement="1", holds=True, robustness=1.0),)
+    desk = Desk(structure=structure, stages=(ran,), results=met, rewritten=("E",))
+    said, kind = summary(desk)
+    assert said == "E written; runs; 1 of 1 requirements met; given up: E speed 130 km/h -> 91 km/h"
+    assert kind == "warning"
+
+
+async def test_f6_brings_results_that_are_behind_another_pane(stage):
+    async with stage.described(size=(80, 24)) as pilot:
+        await pilot.press("f6")
+        await stage.until(pilot, lambda: stage.bench.room.current_pane == "results")
+        await pilot.press("f2")
+        await stage.until(pilot, lambda: stage.bench.room.current_pane == "chat")
+        await pilot.press("f6")
+        await stage.until(pilot, lambda: stage.bench.results.has_focus and "requirements met" in report(stage))
+        await pilot.press("f6")
+        await stage.until(pilot, lambda: not stage.bench.results.has_class("-on"))
+        assert stage.bench.room.current_pane == "code"

@@ -80,6 +80,17 @@ async def test_method_and_map_are_chosen_by_name(stage):
         await stage.say(pilot, "/map Atlantis", wait=False)
         await stage.until(pilot, lambda: any("There is no map Atlantis" in line for line in stage.said))
         assert stage.bench.turns.options()["map"] == "Town05"
+        assert any("The map of new scenarios, in any session: Town05." in line for line in stage.said)
+
+
+async def test_the_map_of_a_session_with_a_program_is_a_field_of_it(stage):
+    async with stage.described() as pilot:
+        await stage.say(pilot, "/map Town05", wait=False)
+        await stage.until(pilot, lambda: stage.bench.session.structure["G"].spec.map == "Town05" and not stage.busy)
+        assert any("The map of this session is Town05" in line for line in stage.said)
+        assert not stage.bench.choices.choice.map and stage.bench.turns.options()["map"] == "Town05"
+        stage.bench.choices.choose(map="town")  # the default of other sessions
+        assert stage.bench.turns.options()["map"] == "Town05"
 
 
 def test_help_of_the_structure_pane(stage, compare):

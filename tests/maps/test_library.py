@@ -100,9 +100,9 @@ def test_an_unknown_map_names_those_that_there_are(name):
     assert ("CARLA_ROOT" in str(refusal.value)) == (name == "Town05")
 
 
-@pytest.mark.parametrize(("name", "near"), [("Town99", "Town"), ("town 7", "Town07"), ("twon", "town")])
-def test_a_name_that_no_map_has_gets_the_nearest(name, near):
-    with pytest.raises(MapNotFound, match=rf"Did you mean [\w, ]*{near}") as refusal:
+@pytest.mark.parametrize(("name", "near"), [("Town99", "town"), ("town 7", "town"), ("twon", "town")])
+def test_a_name_that_no_map_has_gets_the_nearest_that_is_there(name, near):
+    with pytest.raises(MapNotFound, match=rf"Did you mean {near}\?$") as refusal:  # of those that are there
         MapLibrary().find(name)
     assert "CARLA_ROOT" not in str(refusal.value)
 

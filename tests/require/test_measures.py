@@ -1,11 +1,13 @@
 """Times to collision, encroachment and deceleration of motions whose values are known."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from c2s_engine.require.measures import pairs
+from c2s_engine.require.natural import _judged
 from c2s_engine.structure.facts import Track, Trajectories
 
 STEP = 0.1
@@ -52,3 +54,14 @@ def test_crossing_after_ego(late: float) -> None:
 def test_touching_is_no_time_apart() -> None:
     found = pair(track("van", 30, 60, WEST, 10))
     assert found.pet is not None and found.pet[0] == 0 and found.gap.min() == 0
+
+
+def test_a_bound_that_is_met_to_the_digit_that_is_shown_is_met():
+    time = np.arange(0, 4, 0.1)
+
+    def margin(most):
+        motion = SimpleNamespace(time=time, step=0.1, speed=time, lateral=0 * time, acceleration=0 * time + most)
+        return next(iter(_judged(motion, {"acceleration": {"value": 4.0}}, sideways=False)))
+
+    assert margin(4.04)[0] == 0.0 and margin(4.04)[1:3] == ("acceleration up to 4 m/s2", "4.0 m/s2")
+    assert margin(4.06)[0] < 0 and margin(4.06)[2] == "4.1 m/s2"

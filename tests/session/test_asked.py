@@ -2,8 +2,8 @@
 
 import pytest
 
-from c2s_engine.session.asked import HELP, answered, wants_help
-from c2s_engine.structure.components import Assumption, Component, Structure
+from c2s_engine.session.asked import HELP, UNANSWERED, answered, wants_help
+from c2s_engine.structure.components import Assumption, Component, Link, Structure, Unmet
 from c2s_engine.structure.facts import ContactFact, EventFact, ObjectFacts, RunFacts
 from c2s_engine.structure.measures import ActorMeasures, Measures, PairMeasures
 from c2s_engine.structure.program import Program
@@ -59,10 +59,51 @@ SHOWN = Finished(
      ("what was not understood?", "0 of 2 clauses of the text are in S as understood.\n“Ego drives.”: not understood"),
      ("what did you assume?", "E: reaction brake (the text does not say)"),
      ("what was assumed of O1?", "Nothing was assumed."),
-     ("who is O1?", "O1: A bicycle crosses.")],
+     ("who is O1?", "O1: A bicycle crosses."),
+     ("what is TTC?", "TTC: Time to collision"),
+     ("what does PET mean?", "PET: Post-encroachment time"),
+     ("what is the maximum deceleration of ego?", "4.2 m/s2 at most, at 3.9 s"),
+     ("when does the cyclist enter the road and at which speed?", "cyclist enters the road at 2.9 s. cyclist fastest"),
+     ("how far from the cyclist does ego stop?", "bumper to bumper: 0 m at 4.1 s"),
+     ("how long did the run take?", "The run ended after 5.1 s"),
+     ("how many lanes are there?", "S leaves the number of lanes open; in the run: 0."),
+     ("is ego on a motorway?", "No: R says kind road."),
+     ("is it foggy?", "No: G leaves weather open."),
+     ("is there a bus?", "No: O1 a bicycle."),
+     ("is the cyclist a pedestrian?", "No: O1 (cyclist) is a bicycle."),
+     ("is there a bicycle?", "Yes: O1 says type bicycle."),
+     ("where is this?", "R: "),
+     ("is ego's driver tired?", UNANSWERED),
+     ("which song does the cyclist sing?", UNANSWERED)],
 )  # fmt: skip
 def test_questions_about_the_scene_and_its_run(question, words):
     assert words in answered(question, SHOWN)
+
+
+def test_what_was_not_understood_counts_the_words_without_effect():
+    text, cyclist = STRUCTURE.text, STRUCTURE.objects[0]
+    link = Link(kind="text", label=text, span=(0, len(text)), field="type")
+    read = STRUCTURE.model_copy(update={"objects": (cyclist.model_copy(update={"links": (link,)}),)})
+    shown = SHOWN.model_copy(update={"structure": read})
+    assert answered("what did you not understand?", shown) == "2 of 2 clauses of the text are in S as understood."
+    idle = Unmet(text="crosses", reason="S would be the same without it", span=(22, 29))
+    shown = shown.model_copy(update={"details": {"without_effect": (idle,)}})
+    assert answered("what did you not understand?", shown) == (
+        "1 of 2 clauses of the text are in S as understood.\n"
+        "“A cyclist crosses.”: partly understood (“crosses”: S would be the same without it)"
+    )
+
+
+def test_without_a_collision_the_nearest_of_all_is_named_also_one_that_stands():
+    jam = ObjectFacts(name="jam[0]", component="O1", types=("car",), length=4.5, width=2, moves=False)
+    coach = jam.model_copy(update={"name": "coach", "component": "O2", "moves": True})
+    run = SHOWN.facts[0].model_copy(update={"objects": (EGO, coach, jam), "contacts": ()})
+    pairs = tuple(PairMeasures(other=o, gap_m=m, gap_at_s=9.0) for o, m in (("coach", 49.1), ("jam[0]", 2.6)))
+    shown = SHOWN.model_copy(update={"facts": (run,), "measures": (Measures(pairs=pairs),)})
+    said = answered("was there a collision?", shown)
+    assert said.startswith("No collision in the run of 5.1 s. Smallest gap between ego and jam[0], bumper to bumper")
+    assert "coach" not in said
+    assert answered("how close did they come?", shown).startswith("Smallest gap between ego and jam[0]")
 
 
 @pytest.mark.parametrize("question", ["was the cyclist hidden?", "could ego see the cyclist?", "who is occluded?"])

@@ -1,10 +1,16 @@
 """Words of a text that make no difference to S are named."""
 
 import pytest
+from session_fake import FakeEngine
 
 from c2s_engine.api import Engine
 from c2s_engine.interpret.phrases import without_each
+from c2s_engine.session.no_effect import REASON
 from c2s_engine.session.reader import Unreadable
+from c2s_engine.session.sessions import Sessions
+from c2s_engine.structure.components import Structure, Unmet
+from c2s_engine.structure.program import assemble
+from c2s_engine.structure.progress import Finished
 
 CASES = [
     ("Ego drives on a motorway at 100 km/h. A car in the right lane cuts in 15 m ahead of ego.", []),
@@ -30,6 +36,38 @@ async def test_what_makes_no_difference_is_named(engine, text, idle):
 async def test_a_text_that_cannot_be_read_says_so(engine):
     with pytest.raises(Unreadable, match="Nothing in the text"):
         await engine.without_effect("Two plus two is four.")
+
+
+async def test_what_was_found_stays_with_the_session(tmp_path):
+    """It is looked for once a text; a question about it, the session opened again and the app have the same."""
+    text, idle = "A red car brakes.", Unmet(text="red", reason=REASON, span=(2, 5))
+
+    class Describing(FakeEngine):
+        looked, shown = 0, None
+
+        async def say(self, structure, text, *, shown, **options):
+            self.shown = shown
+            done = structure if text.endswith("?") else Structure(text=text)
+            yield Finished(ok=True, structure=done, program=assemble(done))
+
+        async def without_effect(self, text):
+            self.looked += 1
+            return (idle,)
+
+    engine = Describing()
+    session = Sessions(tmp_path).open("one", engine)
+    assert session.idle is None
+    async for _ in session.say(text):
+        pass
+    assert not engine.looked
+    async for _ in session.say("what did you not understand?"):
+        pass
+    assert engine.shown.details["without_effect"] == (idle,)
+    assert await session.without_effect() == session.idle == (idle,)
+    session.close()
+    again = Sessions(tmp_path).open("one", engine)
+    assert again.idle == (idle,) and engine.looked == 1
+    again.close()
 
 
 def test_phrases_are_taken_out_with_what_joins_them():

@@ -14,7 +14,9 @@ from c2s_engine.session import store as session_store
 from c2s_engine.session.sessions import SessionError, Sessions
 from c2s_engine.session.state import edit_words
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.edits import AddObject, RemoveObject, Replace, SetCode, SetDescription, SetField, SetProgram
+from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Finished, ProgramChanged, Say
 from c2s_engine.structure.specs import ObjectSpec, Placement
 
@@ -421,3 +423,20 @@ async def test_a_session_in_which_nothing_happened_is_exported_too(sessions, tmp
     sessions.export("one", tmp_path / "one.c2s")
     assert sessions.import_file(tmp_path / "one.c2s", "two") == "two"
     assert sessions.open("two", FakeEngine()).history == []
+
+
+async def test_the_answer_to_a_text_that_was_refused_is_there_again(tmp_path):
+    found = Diagnostic(stage="interpret", code="text", message="A speed is at most 360 km/h.")
+
+    class Refusing(FakeEngine):
+        async def say(self, structure, text, **options):
+            stages = (StageResult(name="interpret", ok=False, diagnostics=(found,)),)
+            yield Finished(ok=False, structure=structure, program=assemble(structure), stages=stages)
+
+    session = Sessions(tmp_path).open("one", Refusing())
+    async for _ in session.say("Ego drives at 900 km/h."):
+        pass
+    session.close()
+    again = Sessions(tmp_path).open("one", Refusing())
+    assert [t.replies for t in again.conversation] == [("A speed is at most 360 km/h.",)]
+    again.close()

@@ -51,6 +51,16 @@ def test_generate_gives_a_program_that_runs(tmp_path):
     assert again.returncode == 0, again.stdout
 
 
+@pytest.mark.full
+def test_files_of_a_series_are_of_its_first_seed(tmp_path):
+    program, table, drawing = tmp_path / "lead.scenic", tmp_path / "ways.csv", tmp_path / "lead.svg"
+    program.write_text(LEAD)
+    asked = ["--map", "town", "--seeds", "3-4", "--seconds", "1", "--csv", str(table), "--svg", str(drawing)]
+    done = c2s("run", str(program), *asked)
+    assert f"{drawing}, {table}: of the run with seed 3" in done.stderr.decode().replace("\n", " "), done.stderr
+    assert table.read_text().startswith("run,time_s,object") and "<svg" in drawing.read_text()
+
+
 @pytest.mark.nightly
 def test_fixes_are_counted_in_words(tmp_path):
     program = tmp_path / "lead.scenic"

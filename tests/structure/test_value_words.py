@@ -5,8 +5,8 @@ import pytest
 from c2s_engine.paths import shipped
 from c2s_engine.session.glossary import meaning, page, terms
 from c2s_engine.structure.happening import ACTS, WORDS
-from c2s_engine.structure.specs import Placement, Trigger
-from c2s_engine.structure.values import summary
+from c2s_engine.structure.specs import Condition, Limit, ObjectSpec, Phase, Placement, Trigger
+from c2s_engine.structure.values import field_at, fields, parse, show, summary
 from c2s_engine.structure.vocabulary import Action
 
 
@@ -34,11 +34,40 @@ def test_where_an_object_starts(placement, words):
      ({"action": "stop", "trigger": {"kind": "place", "place": "intersection", "value": 10}},
       "stops, 10 m before the intersection"),
      ({"action": "yield", "trigger": {"kind": "action", "of": "O2", "action": "cross_road"}},
-      "yields, once O2 crosses the road")],
+      "yields, once O2 crosses the road"),
+     ({"action": "brake", "trigger": {"kind": "action", "of": "O1", "action": "cut_in", "delay": 2}},
+      "brakes, once O1 cuts in, and 2 s later"),
+     ({"action": "brake", "trigger": {"kind": "speed", "subject": "O1", "value": 10}},
+      "brakes, when O1 goes at 36 km/h"),
+     ({"action": "start", "trigger": {"kind": "passed", "subject": "ego", "of": "O1"}},
+      "sets off, when ego has gone by O1")],
 )  # fmt: skip
 def test_what_a_step_does_and_waits_for(phase, words):
     trigger = {"trigger": Trigger(**phase["trigger"]).model_dump(mode="json")} if "trigger" in phase else {}
     assert summary({**phase, **trigger}) == words
+
+
+@pytest.mark.parametrize(
+    ("kind", "value", "shown", "unit"),
+    [("time", 4.0, "4 s", "s"), ("ttc", 1.6, "1.6 s", "s"), ("distance", 25.0, "25 m", "m"), ("apart", 5.0, "5 m", "m"),
+     ("speed", 10.0, "36 km/h", "m/s")],
+)  # fmt: skip
+def test_the_unit_of_what_a_trigger_waits_for_is_that_of_its_kind(kind, value, shown, unit):
+    phase = Phase(action="brake", trigger=Trigger(kind=kind, value=value))
+    spec = ObjectSpec(phases=(phase,))
+    field = next(f for f in fields(spec) if f.path == "phases.0.trigger.value")
+    assert (show(field), field.unit) == (shown, unit)
+    assert parse(field, shown) == pytest.approx(value) == parse(field, shown.split()[0])
+    gone = "phases.0.trigger.value"
+    empty = ObjectSpec(phases=(phase.model_copy(update={"trigger": Trigger(kind=kind, value=None)}),))
+    assert next(f for f in fields(empty) if f.path == gone).unit == field_at(spec, gone).unit == unit
+
+
+def test_the_unit_of_a_limit_and_of_a_condition_is_that_of_its_kind():
+    limits = [Limit(kind=kind, minimum=5.0, maximum=10.0) for kind in ("speed", "deceleration", "gap", "ttc", "jerk")]
+    ends = (Condition(kind="time", minimum=5.0), Condition(kind="distance", maximum=10.0))
+    shown = [show(f) for part in (*limits, *ends) for f in fields(part) if f.label in ("minimum", "maximum") and f.set]
+    assert shown == ["18 km/h", "36 km/h", "5 m/s2", "10 m/s2", "5 m", "10 m", "5 s", "10 s", "5", "10", "5 s", "10 m"]
 
 
 def test_every_action_and_event_has_its_words():

@@ -14,7 +14,7 @@ from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.surroundings.settings import ACCEPTED, DEFAULTS, Settings
 from c2s_engine.interpret.who.mentions import ZONES, Entity
 from c2s_engine.structure import sentences as describe
-from c2s_engine.structure.components import Assumption, Component, Structure
+from c2s_engine.structure.components import FITTED, Assumption, Component, Structure
 from c2s_engine.structure.specs import SettingsSpec
 
 
@@ -166,12 +166,32 @@ def _clause_span(event) -> tuple[int, int]:  # noqa: ANN001
     return event.start, event.end
 
 
+ONE_OF_ITS_KIND = ("curve", "intersection", "roundabout")
+"""Kinds of place that S has on ordinary roads only: a motorway that is said with them is given up."""
+
+
+def _named_road(scene: Scene) -> str:
+    """The words that name a kind of road which S does not tell from others ("a country road"); empty where none do."""
+    if scene.road.setting not in ("rural", "urban") or "setting" not in scene.road.spans:
+        return ""
+    start = scene.road.spans["setting"][0]
+    words = re.match(r"(?:[\w-]+ ){0,2}?(?:road|street|avenue|boulevard|roadway|highway)s?\b", scene.plain[start:])
+    return f"{'an' if words[0][0] in 'aeiou' else 'a'} {words[0].removesuffix('s')}" if words else ""
+
+
 def _place_assumed(scene: Scene, place) -> list[Assumption]:  # noqa: ANN001
     assumed = []
+    spans = scene.road.spans
     if scene.road.kind is None:
+        named = _named_road(scene)
+        reason = f"no field tells {named} from others" if named else "the text does not say what kind of road it is"
+        assumed.append(Assumption(field="kind", value=place.kind, reason=reason))
+    elif "motorway" in spans and place.kind in ONE_OF_ITS_KIND and not scene.road.no_intersection:
+        words = scene.plain[slice(*spans["motorway"])]
         assumed.append(
-            Assumption(field="kind", value=place.kind, reason="the text does not say what kind of road it is")
-        )
+            Assumption(field="kind", value=place.kind, reason=f"R has one kind of place; “{words}” was said, too",
+                       by=FITTED, was="motorway")
+        )  # fmt: skip
     if place.kind == "intersection" and place.arms is None:
         assumed.append(Assumption(field="arms", value="3 or 4", reason="the text does not say how many roads meet"))
     return assumed

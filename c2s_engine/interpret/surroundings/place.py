@@ -102,6 +102,8 @@ def read(plain: str, sentences: list[tuple[int, int]], quantities: list[Span]) -
         hit = _re(rf"\b(?:{other[name]})").search(plain)
         if hit and (road.setting is None or name != "highway"):
             road.setting = name if not (name == "urban" and road.setting == "rural") else road.setting
+            if road.setting == name:
+                road.spans["setting"] = hit.span()
     _limit(plain, road, data, quantities)
     return road
 

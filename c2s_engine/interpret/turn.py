@@ -88,7 +88,8 @@ def _route(text: str, structure: Structure | None) -> Turn:
     demanded = asked.demanded(plain)
     plain = notes.text_of(demanded, structure)
     commanding = bool(re.match(table["commands"], plain)) or bool(re.search(table["marks"], plain))
-    if (
+    another = _of_others(plain, structure)
+    if another and (
         len(plain.split()) > 45
         or _tells(plain, commanding)
         and not _adds(plain, structure)
@@ -106,7 +107,8 @@ def _route(text: str, structure: Structure | None) -> Turn:
     if said:
         return Turn("edit", reply=_not_understood(typed, "; ".join(said)), span=whole)
     short = len(plain.split()) < 9 and not re.search(r"[.;] \w", plain)
-    if commanding or short or not _of_strangers(plain, structure) or _of_those_there(plain, structure):
+    told_of_here = not _of_strangers(plain, structure) or _of_those_there(plain, structure)
+    if commanding or short or not another or told_of_here:
         return Turn("edit", reply=_not_understood(typed, _absent(stranger, structure) if stranger else ""), span=whole)
     return Turn("scenario", span=whole)
 
@@ -159,6 +161,31 @@ def _introduces(plain: str) -> bool:
     """Whether somebody is told of for the first time ("a car", "two cyclists"), not only become or replaced."""
     new = language.table("refine")["introduces"]
     return any(s.kind == "actor" and re.search(new, plain[: s.start]) for s in scan.names(plain))
+
+
+def _of_others(plain: str, structure: Structure) -> bool:
+    """Whether a text can be another description: it names nobody who is there, or tells at length of new ones first."""
+    table = language.table("refine")
+    sentences = len(re.split(r"[.;] (?=\w)", plain))
+    new: set[str] = set()
+    old: list[int] = []
+    first = len(plain)
+    for span in scan.names(plain):
+        noun = span.data.get("noun", "")
+        introduced = bool(re.search(table["introduces"], plain[: span.start]))
+        if span.kind == "label" and re.match(r",? (?:which (?:is|was) )?an? ", plain[span.end :]):
+            introduced = True  # "V2, a pickup"
+        if span.kind == "ego" or noun in new:
+            continue
+        if introduced:
+            new |= {noun, plain[span.start : span.end]}
+            first = min(first, span.start)
+        elif plain[span.start : span.end] not in new:
+            meant = refer(f"the {plain[span.start : span.end]}", structure, alone=False)
+            old += [span.start] if meant is not None and meant.id != "E" else []
+    if not old:
+        return True
+    return bool(new) and (sentences > 2 or sentences > 1 and first < old[0])
 
 
 def _of_strangers(plain: str, structure: Structure) -> bool:

@@ -93,3 +93,32 @@ def test_without_a_scene_everything_told_is_one() -> None:
 )  # fmt: skip
 def test_the_first_text_of_a_session_is_a_scenario_whoever_it_names(text: str) -> None:
     assert route(text, Structure()).kind == route(text, None).kind == "scenario"
+
+
+CRASH = (
+    "V1, a sedan, was travelling northbound on a two-lane rural road at 45 mph. V2, a pickup truck, was southbound and "
+    "drifted left across the centerline. V1 steered right but the front of V2 struck the left side of V1."
+)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V2 hits ego's left side with its front left corner", "V2 hits V1's left side with its front left corner",
+        "V2 only drifts over the line 30 m before V1", "Unit 2 runs into the left side of ego 30 m before the bend",
+        "The pickup, which comes towards ego at night, hits a wall behind ego",
+    ],
+)  # fmt: skip
+def test_who_is_there_makes_a_text_a_change(read, text: str) -> None:
+    assert route(text, read(CRASH)).kind == "edit"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1, a van, was travelling west on a motorway at 60 mph. V2, a motorcycle, followed V1. V2 struck the rear of V1.",
+        "Ego drives at 50 km/h in a town. A cyclist rides out from the right in front of ego, and ego brakes.",
+    ],
+)  # fmt: skip
+def test_what_tells_of_others_is_another_description(read, text: str) -> None:
+    assert route(text, read(CRASH)).kind == "scenario"

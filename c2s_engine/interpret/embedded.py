@@ -19,6 +19,7 @@ from c2s_engine.interpret.reading.spelling import Mended
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.structure.account import covering
 from c2s_engine.structure.components import Structure, Unmet
+from c2s_engine.structure.edits import EditError
 
 OF_THE_ROAD = re.compile(
     r"\b(?:lanes?|kerb|curb|brak(?:es?|ed|ing)|skid(?:s|ded|ding)?|swerv(?:es?|ed|ing)|junction|intersection|motorway"
@@ -50,6 +51,8 @@ def faults() -> Iterator[None]:
         yield
     except (InterpretError, InterpreterFault):
         raise
+    except EditError as error:  # what S refuses, with why
+        raise InterpreterFault(f"{error}. Nothing was changed.") from None
     except ValidationError as error:
         said = error.errors()[0]
         if "error" not in said.get("ctx", {}):  # a fault of the reading; else a number that S does not take

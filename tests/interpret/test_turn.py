@@ -3,9 +3,11 @@
 
 import pytest
 
+from c2s_engine.interpret import InterpreterFault
 from c2s_engine.interpret.turn import Turn, route
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import apply
+from c2s_engine.structure.edits import SetField, apply
+from c2s_engine.structure.specs import Condition
 
 
 @pytest.fixture(scope="module")
@@ -122,3 +124,12 @@ def test_who_is_there_makes_a_text_a_change(read, text: str) -> None:
 )  # fmt: skip
 def test_what_tells_of_others_is_another_description(read, text: str) -> None:
     assert route(text, read(CRASH)).kind == "scenario"
+
+
+def test_what_s_refuses_is_told_as_why(scene: Structure) -> None:
+    far = Condition(kind="distance", other="O1", minimum=100.0)
+    bound = apply(scene, SetField(component="T", path="require", value=[far.model_dump()]))
+    with pytest.raises(InterpreterFault, match="^O1 is referred to by T: change that first. Nothing was changed.$"):
+        route("remove the lead", bound)
+    turn = route("make it night and remove the lead", bound)
+    assert changed(bound, after(turn, bound)) == {"G"} and "not done: O1 is referred to by T" in turn.reply

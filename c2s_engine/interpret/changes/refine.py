@@ -22,11 +22,13 @@ Found = tuple[list[Edit], str]
 
 
 def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
-    """The edits that a text asks for and what each does, in order; empty where nothing was understood."""
+    """The edits that a text asks for and what each does, in order; empty where nothing was understood. Raises EditError where
+    all that is asked for is refused by S."""
     edits: list[Edit] = []
     said: list[str] = []
     current = structure
     text = notes.text_of(by_labels(text, structure), structure)
+    refused: EditError | None = None
     before, topic = "", topic_of(text, structure)
     parts = [d for part in limits.in_order(demands(text)) for d in each_of_all(part, structure)]
     if len(parts) > 1 and not order.retype(parts[0], structure):
@@ -43,14 +45,15 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
             parts.pop(0)
         before, topic = demand, topic_of(demand, current) or topic
         hidden = unshown(demand)
-        found = (hidden) if hidden else _found(demand, current)
-        if found is None and (named := _with_article(demand, current)):
-            found = _found(named, current)
-        if found is None:
-            continue
         try:
+            found = (hidden) if hidden else _found(demand, current)
+            if found is None and (named := _with_article(demand, current)):
+                found = _found(named, current)
+            if found is None:
+                continue
             after = _applied(found, current)
-        except EditError:
+        except EditError as error:
+            refused = refused or error
             continue
         if found[0] and _same(current, after):
             found = [], f"{ALREADY} ({found[1]})"
@@ -58,6 +61,9 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
         edits += found[0]
         said.append(found[1])
         topic = next((c for e in reversed(found[0]) if (c := _object(e))), topic)
+    if refused is not None and not said:
+        raise refused
+    said += [f"not done: {refused}"] if refused is not None else []
     return [*edits, *described(structure, current)], said
 
 

@@ -8,6 +8,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import asked, notes, pointed, put, refine, retold
 from c2s_engine.interpret.changes.corrected import Last, after, corrected, differences, of_the_same
 from c2s_engine.interpret.changes.forms import ALREADY
+from c2s_engine.interpret.changes.kept import removed
 from c2s_engine.interpret.changes.refer import refer, spec_of
 from c2s_engine.interpret.embedded import NOT_ENGLISH, faults
 from c2s_engine.interpret.entities import MOVERS
@@ -101,7 +102,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
     if stranger and edits and not any(isinstance(e, AddObject) for e in edits):
         return Turn("edit", reply=_not_understood(typed, _absent(stranger, structure)), span=whole)
     if edits:
-        return Turn("edit", edits, "; ".join(said), whole)
+        return Turn("edit", edits, _in_words(edits, said, structure), whole)
     if said and all(s.startswith(ALREADY) for s in said):
         return Turn("edit", reply=f"Nothing was changed: {'; '.join(said)}.", span=whole)
     if said:
@@ -123,8 +124,14 @@ def _wished(plain: str, structure: Structure) -> tuple[list[Edit], str] | None:
         demand = f"{wish.rstrip('?. ')}. {rest}" if rest else wish
         edits, said = refine.edits_of(put.plainly(demand, structure), structure) if wish else ([], [])
         if edits:
-            return edits, "; ".join(said)
+            return edits, _in_words(edits, said, structure)
     return None
+
+
+def _in_words(edits: list[Edit], said: list[str], structure: Structure) -> str:
+    """What edits do, and what they take away."""
+    gone = removed(structure, edits)
+    return "; ".join([*said, gone] if gone else said)
 
 
 def _not_understood(text: str, why: str = "") -> str:

@@ -73,9 +73,8 @@ async def say(
                 if current.ego.code and _nothing_came(event, turn):
                     event = _as_it_was(event, current)
                     yield Say(text="S and its program stay as they were.", severity="warning")
-                elif turn.text and turn.kind == "scenario" and not _nothing_came(event, turn):
-                    if replaced := _replaced(current):
-                        yield Say(text=replaced, severity="warning")
+                elif turn.kind == "scenario" and not _nothing_came(event, turn) and (gone := _replaced(current)):
+                    yield Say(text=gone, severity="warning")
                 if turn.edits and all(s.ok for s in event.stages if s.name in ("resolve", "write")):
                     yield Say(text=outcome(event, current))
             yield event

@@ -76,7 +76,7 @@ async def test_a_text_that_replaces_what_is_there_says_so(engine, tmp_path):
     session = sessions.open("one", engine)
     _, told = await take(session.say(TEXT, run=False))
     assert not any("new description" in t for t in told)
-    _, told = await take(session.say("Two trucks stand behind a bend to the left, and ego comes at 40 km/h.", run=False))
+    _, told = await take(session.say("Two trucks stand behind a bend to the left. Ego comes at 40 km/h.", run=False))
     replaced = "Taken as a new description: it replaces O1 (car) and O2 (pedestrian); undo brings them back."
     assert replaced in told
     session.close()

@@ -22,8 +22,8 @@ Found = tuple[list[Edit], str]
 
 
 def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
-    """The edits that a text asks for and what each does, in order; empty where nothing was understood. Raises EditError where
-    all that is asked for is refused by S."""
+    """The edits that a text asks for and what each does, in order; empty where nothing was understood. Raises
+    EditError where S refuses all that is asked for."""
     edits: list[Edit] = []
     said: list[str] = []
     current = structure

@@ -10,9 +10,9 @@ from typing import Any
 from c2s_engine.interpret.changes.apart import told_apart
 from c2s_engine.interpret.changes.forms import Found
 from c2s_engine.interpret.changes.in_words import in_words
+from c2s_engine.interpret.changes.kept import WAYS
 from c2s_engine.interpret.changes.phases import (
     PASSING,
-    WAYS,
     awaited,
     given_up,
     joined,

@@ -21,7 +21,9 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.progress import Finished, Passage, Progress, Say
 
 if TYPE_CHECKING:
+    from c2s_engine.api import Engine
     from c2s_engine.session.sessions import Session, Sessions
+    from c2s_engine.structure.components import Unmet
     from c2s_engine.structure.edits import Edit
 
 app = typer.Typer(help="Sessions: list, rename, duplicate, delete, export, import.", no_args_is_help=True)
@@ -92,6 +94,7 @@ def edit(
                 err.print(Text(f"saved {', '.join(map(str, written))}"))
         if not as_json:
             _print(session)
+            show.without_effect(done.details.get("without_effect", ()) if done else ())
             show.contradictions(done.details if done else {})
     code_of = OK if done is None else exit_code(done)
     found: dict[str, Any] = {}
@@ -254,7 +257,11 @@ async def _work(
                 given = taken(*program) or [Replace(structure=await engine.import_program(program[1]))]
                 done = await _take(session.apply(given, **options), quiet)
             if say:
+                upon = session.structure
                 done = await _take(session.say(say, **options), quiet)
+                if session.structure != upon and (options["method"] or engine.settings.method) == "embedded":
+                    idle = await _without_effect(engine, say, upon)
+                    done = done and done.model_copy(update={"details": {**done.details, "without_effect": idle}})
             if edits:
                 meant = [_meant(edit, session.structure) for edit in edits]
                 done = await _take(session.apply(meant, **options), quiet)
@@ -263,6 +270,14 @@ async def _work(
         finally:
             session.close()
     return session, done
+
+
+async def _without_effect(engine: "Engine", text: str, upon: Structure) -> "tuple[Unmet, ...]":
+    """The words of a turn that make no difference; none where it cannot be read."""
+    try:
+        return await engine.without_effect(text, upon)
+    except ValueError:  # what cannot be read is said by the turn
+        return ()
 
 
 async def _take(events: AsyncIterator[Progress], quiet: bool) -> Finished | None:

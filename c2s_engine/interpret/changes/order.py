@@ -1,5 +1,6 @@
 """The forms of change that a turn may have, in the order in which they are tried."""
 
+from c2s_engine.interpret.changes.acts import gap_of_act
 from c2s_engine.interpret.changes.approach import start_distance
 from c2s_engine.interpret.changes.beside import abreast
 from c2s_engine.interpret.changes.forms import Form
@@ -34,6 +35,7 @@ FORMS: tuple[Form, ...] = (
     shifted,
     speed_difference,
     rate,
+    gap_of_act,
     acting,
     speed,
     distance,

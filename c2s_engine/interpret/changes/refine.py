@@ -9,7 +9,7 @@ from c2s_engine.interpret.changes.all_of_them import each_of_all
 from c2s_engine.interpret.changes.demands import demands, topic_of, whole
 from c2s_engine.interpret.changes.forms import ALREADY
 from c2s_engine.interpret.changes.meant import by_labels
-from c2s_engine.interpret.changes.refer import refer
+from c2s_engine.interpret.changes.refer import actions_of, doing, refer
 from c2s_engine.interpret.changes.speed import walked
 from c2s_engine.interpret.changes.told import introduced
 from c2s_engine.interpret.changes.unshown import unshown
@@ -29,7 +29,7 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     current = structure
     text = notes.text_of(by_labels(text, structure), structure)
     refused: EditError | None = None
-    before, topic = "", topic_of(text, structure)
+    before, topic = "", _doer(text, structure) or topic_of(text, structure)
     parts = [d for part in limits.in_order(demands(text)) for d in each_of_all(part, structure)]
     if len(parts) > 1 and not order.retype(parts[0], structure):
         of_new = _of_the_new(parts, structure)
@@ -65,6 +65,14 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
         raise refused
     said += [f"not done: {refused}"] if refused is not None else []
     return [*edits, *described(structure, current)], said
+
+
+def _doer(text: str, structure: Structure) -> str | None:
+    """Who "it" is that a text begins with: the only one who does what is told of it."""
+    said = re.match(r"(?:no,? )?(?:it|he|she|they)\b(?P<told>[^.;]+)", text)
+    told = re.sub(language.table("refine")["told"]["meanwhile"], " ", said["told"]) if said else ""
+    found = [c.id for c in structure.objects if said and doing(told, actions_of(c))]
+    return found[0] if len(found) == 1 else None
 
 
 def _same(before: Structure, after: Structure) -> bool:

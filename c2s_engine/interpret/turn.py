@@ -10,6 +10,7 @@ from c2s_engine.interpret.changes.corrected import Last, after, corrected, diffe
 from c2s_engine.interpret.changes.forms import ALREADY
 from c2s_engine.interpret.changes.kept import removed
 from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.interpret.changes.unsaid import unsaid
 from c2s_engine.interpret.embedded import NOT_ENGLISH, faults
 from c2s_engine.interpret.entities import MOVERS
 from c2s_engine.interpret.reading import scan
@@ -101,9 +102,13 @@ def _route(text: str, structure: Structure | None) -> Turn:
     stranger = pointed.nobody(demanded, structure)
     if stranger and edits and not any(isinstance(e, AddObject) for e in edits):
         return Turn("edit", reply=_not_understood(typed, _absent(stranger, structure)), span=whole)
+    already = bool(said) and all(s.startswith(ALREADY) for s in said)
+    if (already or edits and _same_specs(structure, after(structure, edits))) and (lost := unsaid(plain, structure)):
+        why = f"it is not clear what {' and '.join(f'“{words}”' for words in lost)} changes"
+        return Turn("edit", reply=_not_understood(typed, why), span=whole)
     if edits:
         return Turn("edit", edits, _in_words(edits, said, structure), whole)
-    if said and all(s.startswith(ALREADY) for s in said):
+    if already:
         return Turn("edit", reply=f"Nothing was changed: {'; '.join(said)}.", span=whole)
     if said:
         return Turn("edit", reply=_not_understood(typed, "; ".join(said)), span=whole)
@@ -126,6 +131,10 @@ def _wished(plain: str, structure: Structure) -> tuple[list[Edit], str] | None:
         if edits:
             return edits, _in_words(edits, said, structure)
     return None
+
+
+def _same_specs(one: Structure, other: Structure) -> bool:
+    return [(c.id, c.spec) for c in one.components] == [(c.id, c.spec) for c in other.components]
 
 
 def _in_words(edits: list[Edit], said: list[str], structure: Structure) -> str:

@@ -27,6 +27,9 @@ OF_THE_ROAD = re.compile(
 )
 """Words that only tales of the road have: what else they tell may be unknown, a scene it is."""
 
+STATES = re.compile(r"(?:has|have|had|is|are|was|were)\b(?! \w+ing\b)")
+"""Verbs of what somebody is or has, by which nobody goes anywhere."""
+
 NOT_ENGLISH = "This is no English text: describe the scene in English, for example “a car cuts in ahead of ego”."
 
 MOST_OBJECTS = 99
@@ -108,6 +111,11 @@ class EmbeddedInterpreter:
         understood.actors = understood.actors[:MOST_OBJECTS]
         result = accounted(understood, compose.compose(understood), mended.text)
         result = _on_original(result, mended, text)
+        if _idle(understood) and (result.not_understood or result.background):
+            raise InterpretError(
+                "This describes no driving scenario: name in English the vehicles or people, where they are and what "
+                "they do."
+            )
         stages = _spans_back(_stages(understood), mended)
         return Interpretation(result, result.not_understood, stages, understood.settings.confidences())
 
@@ -162,6 +170,15 @@ def _has_scene(found: Scene) -> bool:
         or any(e.type in VEHICLES for e in found.cast.entities)
         or OF_THE_ROAD.search(found.plain) is not None
     )
+
+
+def _idle(found: Scene) -> bool:
+    """Whether nobody does anything, is anywhere or goes at a speed, and nothing is said of ego or the road."""
+    acts = [e for e in found.clauses.events if e.act != "travel" or not STATES.match(e.text)]
+    named = any(found.plain[m.start : m.end] not in ("i", "my", "me") for m in found.cast.ego.mentions)
+    told = named or acts or found.speeds or found.road.kind or found.settings.weather
+    placed = any(w.rel or w.lane or w.side or w.hidden_by or w.gap for w in found.places.of.values())
+    return not told and not placed and OF_THE_ROAD.search(found.plain) is None
 
 
 def _stages(found: Scene) -> dict[str, list[dict[str, Any]]]:

@@ -299,12 +299,14 @@ class Engine:
             async for offer in found:
                 yield offer
 
-    async def without_effect(self, text: str) -> tuple[Unmet, ...]:
+    async def without_effect(self, text: str, upon: Structure | None = None) -> tuple[Unmet, ...]:
         """The phrases of a text that make no difference to the S which the embedded interpreter reads (a second or
-        more). Raises Unreadable."""
-        from c2s_engine.session.no_effect import without_effect
+        more), or to what the text changes in the S upon which it is said. Raises Unreadable."""
+        from c2s_engine.session.no_effect import changes_nothing, without_effect
 
-        return await without_effect(text, self.tools)
+        if upon is None or not upon.text and not upon.objects:
+            return await without_effect(text, self.tools)
+        return await changes_nothing(text, upon, self.tools)
 
     def gaps(self, ways: Trajectories) -> dict[str, list[float]]:
         """By each other's name, m between its box and ego's (bumper to bumper) at each step of a run."""

@@ -8,7 +8,7 @@ from functools import partial
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
-from c2s_engine.structure.components import ComponentId, Structure
+from c2s_engine.structure.components import ComponentId, Structure, Unmet
 from c2s_engine.structure.edits import Edit, EditError, SetDescription, apply
 from c2s_engine.structure.progress import Finished, Progress, StageStarted
 from c2s_tui import desk as desks
@@ -55,7 +55,7 @@ class Turns(Part):
         """Run a turn of the session and show its events; cancelling leaves S as it was."""
         async with self.lock:
             self.working, self.since = label, monotonic()
-            text = self.desk.structure.text
+            before, said = self.desk.structure, self.said
             self.desk = desks.begun(self.desk)
             if self.waiting:
                 self.desk = desks.expected(self.desk, self._optimistic(self.waiting))
@@ -84,22 +84,31 @@ class Turns(Part):
                 self.bench.show()
                 self.bench.running.find_gaps()
                 self.bench.search.offer_snippets(self.desk.structure)
-                if self.desk.structure.text not in ("", text) and self.bench.choices.choice.method == "embedded":
-                    self.name_what_has_no_effect(self.desk.structure.text)
+                now = self.desk.structure
+                if now != before and self.bench.choices.choice.method == "embedded":
+                    if now.text not in ("", before.text):
+                        self.name_what_has_no_effect(now.text)
+                    elif said:
+                        self.name_what_has_no_effect(said, before)
         then, self.then = self.then, ""
         if finished and then and self.bench.picture.available and not self.bench.picture.has_class("-on"):
             await self.bench.run_command(then)
 
     @background("no_effect")
-    async def name_what_has_no_effect(self, text: str) -> None:
-        """When a description was read, say which of its words make no difference to S."""
+    async def name_what_has_no_effect(self, text: str, upon: Structure | None = None) -> None:
+        """When a description, or a change of S (`upon`), was read, say which of its words make no difference."""
         from c2s_engine.session.no_effect import told
 
+        now = self.desk.structure
+        found: tuple[Unmet, ...]
         try:
-            found = await self.backend.ask(lambda _: self.session.without_effect())
+            if upon is None:
+                found = await self.backend.ask(lambda _: self.session.without_effect())
+            else:
+                found = tuple(await self.backend.ask(lambda engine: engine.without_effect(text, upon)))
         except (ValueError, OSError):
             return  # what cannot be read is said by the turn
-        if found and text == self.desk.structure.text:
+        if found and (now if upon else text) == (self.desk.structure if upon else self.desk.structure.text):
             await self.chat.note(told(found), "note")
 
     async def _take(self, event: Progress) -> None:

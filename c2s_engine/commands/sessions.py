@@ -21,7 +21,9 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.progress import Finished, Passage, Progress, Say
 
 if TYPE_CHECKING:
+    from c2s_engine.api import Engine
     from c2s_engine.session.sessions import Session, Sessions
+    from c2s_engine.structure.components import Unmet
     from c2s_engine.structure.edits import Edit
 
 app = typer.Typer(help="Sessions: list, rename, duplicate, delete, export, import.", no_args_is_help=True)
@@ -256,13 +258,12 @@ async def _work(
                 given = taken(*program) or [Replace(structure=await engine.import_program(program[1]))]
                 done = await _take(session.apply(given, **options), quiet)
             if say:
-                text = session.structure.text
+                upon = session.structure
                 done = await _take(session.say(say, **options), quiet)
                 embedded = (options["method"] or settings.method) == "embedded"
-                if done is not None and embedded and session.structure.text not in ("", text):
-                    with contextlib.suppress(ValueError, OSError):  # what cannot be read is said by the turn
-                        idle = await session.without_effect()
-                        done = done.model_copy(update={"details": {**done.details, "without_effect": idle}})
+                if done is not None and embedded and session.structure != upon:
+                    idle = await _without_effect(engine, session, say, upon)
+                    done = done.model_copy(update={"details": {**done.details, "without_effect": idle}})
             if edits:
                 meant = [_meant(edit, session.structure) for edit in edits]
                 done = await _take(session.apply(meant, **options), quiet)
@@ -271,6 +272,16 @@ async def _work(
         finally:
             session.close()
     return session, done
+
+
+async def _without_effect(engine: "Engine", session: "Session", said: str, upon: Structure) -> "tuple[Unmet, ...]":
+    """The words of a description, or of a change, that make no difference; none where it cannot be read."""
+    try:
+        if session.structure.text not in ("", upon.text):
+            return await session.without_effect()
+        return await engine.without_effect(said, upon)
+    except (ValueError, OSError):  # what cannot be read is said by the turn
+        return ()
 
 
 async def _take(events: AsyncIterator[Progress], quiet: bool) -> Finished | None:

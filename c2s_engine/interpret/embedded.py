@@ -19,12 +19,16 @@ from c2s_engine.interpret.reading.spelling import Mended
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.structure.account import covering
 from c2s_engine.structure.components import Structure, Unmet
+from c2s_engine.structure.edits import EditError
 
 OF_THE_ROAD = re.compile(
     r"\b(?:lanes?|kerb|curb|brak(?:es?|ed|ing)|skid(?:s|ded|ding)?|swerv(?:es?|ed|ing)|junction|intersection|motorway"
     r"|highway|overtak\w+|rear-end\w*|wing mirror|bumper|fender|drove|driving|hit and run|side-?swip\w+|t-?bon\w+)\b"
 )
 """Words that only tales of the road have: what else they tell may be unknown, a scene it is."""
+
+STATES = re.compile(r"(?:has|have|had|is|are|was|were)\b(?! \w+ing\b)")
+"""Verbs of what somebody is or has, by which nobody goes anywhere."""
 
 NOT_ENGLISH = "This is no English text: describe the scene in English, for example “a car cuts in ahead of ego”."
 
@@ -50,6 +54,8 @@ def faults() -> Iterator[None]:
         yield
     except (InterpretError, InterpreterFault):
         raise
+    except EditError as error:  # what S refuses, with why
+        raise InterpreterFault(f"{error}. Nothing was changed.") from None
     except ValidationError as error:
         said = error.errors()[0]
         if "error" not in said.get("ctx", {}):  # a fault of the reading; else a number that S does not take
@@ -105,6 +111,11 @@ class EmbeddedInterpreter:
         understood.actors = understood.actors[:MOST_OBJECTS]
         result = accounted(understood, compose.compose(understood), mended.text)
         result = _on_original(result, mended, text)
+        if _idle(understood) and (result.not_understood or result.background):
+            raise InterpretError(
+                "This describes no driving scenario: name in English the vehicles or people, where they are and what "
+                "they do."
+            )
         stages = _spans_back(_stages(understood), mended)
         return Interpretation(result, result.not_understood, stages, understood.settings.confidences())
 
@@ -159,6 +170,15 @@ def _has_scene(found: Scene) -> bool:
         or any(e.type in VEHICLES for e in found.cast.entities)
         or OF_THE_ROAD.search(found.plain) is not None
     )
+
+
+def _idle(found: Scene) -> bool:
+    """Whether nobody does anything, is anywhere or goes at a speed, and nothing is said of ego or the road."""
+    acts = [e for e in found.clauses.events if e.act != "travel" or not STATES.match(e.text)]
+    named = any(found.plain[m.start : m.end] not in ("i", "my", "me") for m in found.cast.ego.mentions)
+    told = named or acts or found.speeds or found.road.kind or found.settings.weather
+    placed = any(w.rel or w.lane or w.side or w.hidden_by or w.gap for w in found.places.of.values())
+    return not told and not placed and OF_THE_ROAD.search(found.plain) is None
 
 
 def _stages(found: Scene) -> dict[str, list[dict[str, Any]]]:

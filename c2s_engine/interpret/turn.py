@@ -8,7 +8,9 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import asked, notes, pointed, put, refine, retold
 from c2s_engine.interpret.changes.corrected import Last, after, corrected, differences, of_the_same
 from c2s_engine.interpret.changes.forms import ALREADY
+from c2s_engine.interpret.changes.kept import removed
 from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.interpret.changes.unsaid import unsaid
 from c2s_engine.interpret.embedded import NOT_ENGLISH, faults
 from c2s_engine.interpret.entities import MOVERS
 from c2s_engine.interpret.reading import scan
@@ -88,7 +90,8 @@ def _route(text: str, structure: Structure | None) -> Turn:
     demanded = asked.demanded(plain)
     plain = notes.text_of(demanded, structure)
     commanding = bool(re.match(table["commands"], plain)) or bool(re.search(table["marks"], plain))
-    if (
+    another = _of_others(plain, structure)
+    if another and (
         len(plain.split()) > 45
         or _tells(plain, commanding)
         and not _adds(plain, structure)
@@ -99,14 +102,19 @@ def _route(text: str, structure: Structure | None) -> Turn:
     stranger = pointed.nobody(demanded, structure)
     if stranger and edits and not any(isinstance(e, AddObject) for e in edits):
         return Turn("edit", reply=_not_understood(typed, _absent(stranger, structure)), span=whole)
+    already = bool(said) and all(s.startswith(ALREADY) for s in said)
+    if (already or edits and _same_specs(structure, after(structure, edits))) and (lost := unsaid(plain, structure)):
+        why = f"it is not clear what {' and '.join(f'“{words}”' for words in lost)} changes"
+        return Turn("edit", reply=_not_understood(typed, why), span=whole)
     if edits:
-        return Turn("edit", edits, "; ".join(said), whole)
-    if said and all(s.startswith(ALREADY) for s in said):
+        return Turn("edit", edits, _in_words(edits, said, structure), whole)
+    if already:
         return Turn("edit", reply=f"Nothing was changed: {'; '.join(said)}.", span=whole)
     if said:
         return Turn("edit", reply=_not_understood(typed, "; ".join(said)), span=whole)
     short = len(plain.split()) < 9 and not re.search(r"[.;] \w", plain)
-    if commanding or short or not _of_strangers(plain, structure) or _of_those_there(plain, structure):
+    told_of_here = not _of_strangers(plain, structure) or _of_those_there(plain, structure)
+    if commanding or short or not another or told_of_here:
         return Turn("edit", reply=_not_understood(typed, _absent(stranger, structure) if stranger else ""), span=whole)
     return Turn("scenario", span=whole)
 
@@ -121,8 +129,18 @@ def _wished(plain: str, structure: Structure) -> tuple[list[Edit], str] | None:
         demand = f"{wish.rstrip('?. ')}. {rest}" if rest else wish
         edits, said = refine.edits_of(put.plainly(demand, structure), structure) if wish else ([], [])
         if edits:
-            return edits, "; ".join(said)
+            return edits, _in_words(edits, said, structure)
     return None
+
+
+def _same_specs(one: Structure, other: Structure) -> bool:
+    return [(c.id, c.spec) for c in one.components] == [(c.id, c.spec) for c in other.components]
+
+
+def _in_words(edits: list[Edit], said: list[str], structure: Structure) -> str:
+    """What edits do, and what they take away."""
+    gone = removed(structure, edits)
+    return "; ".join([*said, gone] if gone else said)
 
 
 def _not_understood(text: str, why: str = "") -> str:
@@ -159,6 +177,31 @@ def _introduces(plain: str) -> bool:
     """Whether somebody is told of for the first time ("a car", "two cyclists"), not only become or replaced."""
     new = language.table("refine")["introduces"]
     return any(s.kind == "actor" and re.search(new, plain[: s.start]) for s in scan.names(plain))
+
+
+def _of_others(plain: str, structure: Structure) -> bool:
+    """Whether a text can be another description: it names nobody who is there, or tells at length of new ones first."""
+    table = language.table("refine")
+    sentences = len(re.split(r"[.;] (?=\w)", plain))
+    new: set[str] = set()
+    old: list[int] = []
+    first = len(plain)
+    for span in scan.names(plain):
+        noun = span.data.get("noun", "")
+        introduced = bool(re.search(table["introduces"], plain[: span.start]))
+        if span.kind == "label" and re.match(r",? (?:which (?:is|was) )?an? ", plain[span.end :]):
+            introduced = True  # "V2, a pickup"
+        if span.kind == "ego" or noun in new:
+            continue
+        if introduced:
+            new |= {noun, plain[span.start : span.end]}
+            first = min(first, span.start)
+        elif plain[span.start : span.end] not in new:
+            meant = refer(f"the {plain[span.start : span.end]}", structure, alone=False)
+            old += [span.start] if meant is not None and meant.id != "E" else []
+    if not old:
+        return True
+    return bool(new) and (sentences > 2 or sentences > 1 and first < old[0])
 
 
 def _of_strangers(plain: str, structure: Structure) -> bool:

@@ -4,9 +4,10 @@ import asyncio
 from collections.abc import Sequence
 from typing import Any
 
-from c2s_engine.session.reader import Unreadable, phrases, read
+from c2s_engine.session.reader import Unreadable, phrases, read, route
 from c2s_engine.session.steps import Tools
 from c2s_engine.structure.components import Structure, Unmet
+from c2s_engine.structure.edits import Edit, apply
 
 REASON = "S would be the same without it"
 MOST = 80
@@ -29,6 +30,31 @@ async def without_effect(text: str, tools: Tools) -> tuple[Unmet, ...]:
         if same:
             found.append((start, end))
     return tuple(Unmet(text=text[a:b].strip(" ,;.\n"), reason=REASON, span=(a, b)) for a, b in sorted(found))
+
+
+async def changes_nothing(text: str, upon: Structure, tools: Tools) -> tuple[Unmet, ...]:
+    """The phrases of a change upon S without which it would be the same change, in the order of the text; of another
+    description, those without which its S would be the same. Raises Unreadable."""
+    asked = await route(text, upon, tools)
+    if asked.kind == "scenario":
+        return await without_effect(text, tools)
+    if asked.kind != "edit" or not asked.edits:
+        return ()
+    meant = _meant(_changed(upon, asked.edits))
+    found: list[tuple[int, int]] = []
+    for (start, end), rest in (await phrases(text, tools))[:MOST]:
+        if any(a <= start and end <= b for a, b in found):
+            continue
+        without = await asyncio.shield(route(rest, upon, tools))
+        if without.kind == "edit" and without.edits and _meant(_changed(upon, without.edits)) == meant:
+            found.append((start, end))
+    return tuple(Unmet(text=text[a:b].strip(" ,;.\n"), reason=REASON, span=(a, b)) for a, b in sorted(found))
+
+
+def _changed(structure: Structure, edits: Sequence[Edit]) -> Structure:
+    for edit in edits:
+        structure = apply(structure, edit)
+    return structure
 
 
 def told(found: Sequence[Unmet]) -> str:

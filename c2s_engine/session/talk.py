@@ -73,6 +73,8 @@ async def say(
                 if current.ego.code and _nothing_came(event, turn):
                     event = _as_it_was(event, current)
                     yield Say(text="S and its program stay as they were.", severity="warning")
+                elif turn.kind == "scenario" and not _nothing_came(event, turn) and (gone := _replaced(current)):
+                    yield Say(text=gone, severity="warning")
                 if turn.edits and all(s.ok for s in event.stages if s.name in ("resolve", "write")):
                     yield Say(text=outcome(event, current))
             yield event
@@ -82,6 +84,15 @@ def _nothing_came(finished: Finished, turn: "_Next") -> bool:
     """Whether a text could not be read, or a change that is told as part of the text could not be written."""
     failed = {s.name for s in finished.stages if not s.ok}
     return "interpret" in failed or bool(turn.text) and turn.kind == "edit" and bool(failed & {"resolve", "write"})
+
+
+def _replaced(structure: Structure) -> str:
+    """That a text was taken as a new description, and who is gone by that; empty where there was nothing."""
+    if not structure.text and not structure.objects:
+        return ""
+    named = [f"{o.id} ({getattr(o.spec, 'name', o.id).replace('_', ' ')})" for o in structure.objects]
+    gone = f"{', '.join(named[:-1])} and {named[-1]}" if len(named) > 1 else "".join(named) or "what was there"
+    return f"Taken as a new description: it replaces {gone}; undo brings {'them' if len(named) > 1 else 'it'} back."
 
 
 def _as_it_was(finished: Finished, structure: Structure) -> Finished:

@@ -85,6 +85,7 @@ def test_places_in_the_mended_text_lead_back_in_order(text: str) -> None:
 
 
 OTHERS = [
+    "Ego fährt mit 50 km/h auf der Autobahn und ein Lkw schert ein.",
     "Das Ego-Fahrzeug bremst, weil ein Kind auf die Straße läuft.",
     "Le véhicule devant freine brusquement; l'ego doit s'arrêter.",
     "Un coche frena de repente delante del vehículo y el ciclista cruza la calle.",
@@ -112,6 +113,15 @@ def test_other_languages_and_nonsense_are_told_as_such(text: str) -> None:
     turned = turn.route(text, lead)
     assert (turned.kind, turned.edits) == ("edit", [])
     assert "no English text" in turned.reply
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["I like cheese and my grandmother has a nice garden.", "My dog eats a banana while the moon sings about cars."],
+)
+def test_english_in_which_nobody_does_anything_is_no_scenario(text: str) -> None:
+    with pytest.raises(InterpretError, match="^This describes no driving scenario: "):
+        EmbeddedInterpreter().interpret(text)
 
 
 def test_what_looks_like_english_is_answered_with_the_language_that_is_read() -> None:

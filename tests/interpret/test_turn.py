@@ -3,9 +3,11 @@
 
 import pytest
 
+from c2s_engine.interpret import InterpreterFault
 from c2s_engine.interpret.turn import Turn, route
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import apply
+from c2s_engine.structure.edits import SetField, apply
+from c2s_engine.structure.specs import Condition
 
 
 @pytest.fixture(scope="module")
@@ -93,3 +95,41 @@ def test_without_a_scene_everything_told_is_one() -> None:
 )  # fmt: skip
 def test_the_first_text_of_a_session_is_a_scenario_whoever_it_names(text: str) -> None:
     assert route(text, Structure()).kind == route(text, None).kind == "scenario"
+
+
+CRASH = (
+    "V1, a sedan, was travelling northbound on a two-lane rural road at 45 mph. V2, a pickup truck, was southbound and "
+    "drifted left across the centerline. V1 steered right but the front of V2 struck the left side of V1."
+)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V2 hits ego's left side with its front left corner", "V2 hits V1's left side with its front left corner",
+        "V2 only drifts over the line 30 m before V1", "Unit 2 runs into the left side of ego 30 m before the bend",
+        "The pickup, which comes towards ego at night, hits a wall behind ego",
+    ],
+)  # fmt: skip
+def test_who_is_there_makes_a_text_a_change(read, text: str) -> None:
+    assert route(text, read(CRASH)).kind == "edit"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V1, a van, was travelling west on a motorway at 60 mph. V2, a motorcycle, followed V1. V2 struck the rear of V1.",
+        "Ego drives at 50 km/h in a town. A cyclist rides out from the right in front of ego, and ego brakes.",
+    ],
+)  # fmt: skip
+def test_what_tells_of_others_is_another_description(read, text: str) -> None:
+    assert route(text, read(CRASH)).kind == "scenario"
+
+
+def test_what_s_refuses_is_told_as_why(scene: Structure) -> None:
+    far = Condition(kind="distance", other="O1", minimum=100.0)
+    bound = apply(scene, SetField(component="T", path="require", value=[far.model_dump()]))
+    with pytest.raises(InterpreterFault, match="^O1 is referred to by T: change that first. Nothing was changed.$"):
+        route("remove the lead", bound)
+    turn = route("make it night and remove the lead", bound)
+    assert changed(bound, after(turn, bound)) == {"G"} and "not done: O1 is referred to by T" in turn.reply

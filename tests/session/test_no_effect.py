@@ -6,7 +6,7 @@ from session_fake import FakeEngine
 from c2s_engine.api import Engine
 from c2s_engine.interpret.phrases import without_each
 from c2s_engine.session.no_effect import REASON
-from c2s_engine.session.reader import Unreadable
+from c2s_engine.session.reader import Unreadable, read
 from c2s_engine.session.sessions import Sessions
 from c2s_engine.structure.components import Structure, Unmet
 from c2s_engine.structure.program import assemble
@@ -31,6 +31,21 @@ async def test_what_makes_no_difference_is_named(engine, text, idle):
     found = await engine.without_effect(text)
     assert [u.text for u in found] == idle
     assert all(text[u.span[0] : u.span[1]].strip(" ,;.") == u.text for u in found)
+
+
+CHANGES = [
+    ("make the van a truck with a nice driver", ["with a nice driver"]),
+    ("the van drives 80 km/h", []),
+    ("what does the van do?", []),
+    ("A bus stands in a bend. Ego drives at 50 km/h with little noise.", ["with little noise"]),
+]
+
+
+@pytest.mark.parametrize(("text", "idle"), CHANGES, ids=[t[:40] for t, _ in CHANGES])
+async def test_what_makes_no_difference_to_a_change_is_named(engine, text, idle):
+    cuts_in = "Ego drives at 100 km/h. A van in the left lane cuts in 20 m ahead of ego after 2 s."
+    upon = await read(cuts_in, engine.tools)
+    assert [u.text for u in await engine.without_effect(text, upon)] == idle
 
 
 async def test_a_text_that_cannot_be_read_says_so(engine):

@@ -71,6 +71,18 @@ async def test_a_conversation(session):
     assert len(session.history) == turns, "what came to nothing is no turn"
 
 
+async def test_a_text_that_replaces_what_is_there_says_so(engine, tmp_path):
+    sessions = Sessions(tmp_path / "sessions")
+    session = sessions.open("one", engine)
+    _, told = await take(session.say(TEXT, run=False))
+    assert not any("new description" in t for t in told)
+    _, told = await take(session.say("Two trucks stand behind a bend to the left. Ego comes at 40 km/h.", run=False))
+    replaced = "Taken as a new description: it replaces O1 (car) and O2 (pedestrian); undo brings them back."
+    assert replaced in told
+    session.close()
+    sessions.close()
+
+
 async def test_a_relative_change_counts_from_what_is_there(engine, tmp_path):
     """S says neither the gap nor ego's speed: the run's count."""
     sessions = Sessions(tmp_path / "sessions")

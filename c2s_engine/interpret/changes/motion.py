@@ -57,6 +57,11 @@ def distance(clause: str, structure: Structure) -> Found | None:
     return [edit], f"{name_of(component)}: {words}"
 
 
+def is_relative(clause: str) -> bool:
+    """Whether a distance is told by how much more or less it is to be."""
+    return bool(re.search(_table()["so_much_further"], clause)) or _factor(clause, "further") is not None
+
+
 def _factor(clause: str, rows: str) -> float | None:
     """What a distance is multiplied by where it is to be another one: "make the gap bigger", "twice as far"."""
     found = [(m.start(), factor) for pattern, factor in _table()[rows] if (m := re.search(pattern, clause))]

@@ -1,7 +1,9 @@
 """The forms of change that a turn may have, in the order in which they are tried."""
 
+from c2s_engine.interpret.changes.acts import gap_of_act
 from c2s_engine.interpret.changes.approach import start_distance
 from c2s_engine.interpret.changes.beside import abreast
+from c2s_engine.interpret.changes.bounds import bound
 from c2s_engine.interpret.changes.forms import Form
 from c2s_engine.interpret.changes.how_many import count
 from c2s_engine.interpret.changes.looks import blueprint
@@ -17,6 +19,7 @@ from c2s_engine.interpret.changes.timing import shifted
 from c2s_engine.interpret.changes.told import acting, standing
 
 FORMS: tuple[Form, ...] = (
+    bound,
     ending,
     length,
     blueprint,
@@ -34,6 +37,7 @@ FORMS: tuple[Form, ...] = (
     shifted,
     speed_difference,
     rate,
+    gap_of_act,
     acting,
     speed,
     distance,

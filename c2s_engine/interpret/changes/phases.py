@@ -4,14 +4,13 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
+from c2s_engine.interpret.changes.kept import WAYS, with_old
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of, told_of
 from c2s_engine.interpret.changes.retold import table
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, SetField
 from c2s_engine.structure.specs import EgoSpec, Phase, Trigger
 
-WAYS = {"go_straight": "straight", "turn_left": "left", "turn_right": "right", "u_turn": "u_turn"}
-"""Ways through an intersection, as actions and as ego's manoeuvre."""
 PASSING = frozenset(("run_red", "run_stop"))
 """What one does against its light or sign."""
 
@@ -97,14 +96,6 @@ def given_up(clause: str, structure: Structure) -> list[Edit]:
     return [SetField(component="E", path="phases", value=kept)] if kept != phases else []
 
 
-def _as_before(phase: Phase, old: tuple[Phase, ...]) -> Phase:
-    """A phase told among others, with the moment and side of the same act in what was done before."""
-    same = next((p for p in old if p.action == phase.action), None)
-    if same is None or phase.trigger is not None:
-        return phase
-    return phase.model_copy(update={"trigger": same.trigger, "side": phase.side or same.side})
-
-
 def paused(phases: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
     """The phases with how long one stands who stops: "stops for 2 s"."""
     said = re.search(table()["paused"], clause)
@@ -155,7 +146,7 @@ def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple
         new = (*passed, *new)
     same = [i for i, p in enumerate(old) if len(new) == 1 and p.action == new[0].action]
     if not same:
-        return tuple(_as_before(p, old) for p in new) if len(new) > 1 else new
+        return with_old(old, new, clause)
     said = {k: v for k, v in new[0].model_dump().items() if v is not None}
     said |= {} if len(said) > 1 or not re.search(table()["plainly"], clause) else {"rate": None}
     merged = Phase.model_validate(old[same[0]].model_dump() | said)

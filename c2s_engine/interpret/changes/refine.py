@@ -9,7 +9,7 @@ from c2s_engine.interpret.changes.all_of_them import each_of_all
 from c2s_engine.interpret.changes.demands import demands, topic_of, whole
 from c2s_engine.interpret.changes.forms import ALREADY
 from c2s_engine.interpret.changes.meant import by_labels
-from c2s_engine.interpret.changes.refer import refer
+from c2s_engine.interpret.changes.refer import actions_of, doing, refer
 from c2s_engine.interpret.changes.speed import walked
 from c2s_engine.interpret.changes.told import introduced
 from c2s_engine.interpret.changes.unshown import unshown
@@ -22,12 +22,14 @@ Found = tuple[list[Edit], str]
 
 
 def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
-    """The edits that a text asks for and what each does, in order; empty where nothing was understood."""
+    """The edits that a text asks for and what each does, in order; empty where nothing was understood. Raises
+    EditError where S refuses all that is asked for."""
     edits: list[Edit] = []
     said: list[str] = []
     current = structure
     text = notes.text_of(by_labels(text, structure), structure)
-    before, topic = "", topic_of(text, structure)
+    refused: EditError | None = None
+    before, topic = "", _doer(text, structure) or topic_of(text, structure)
     parts = [d for part in limits.in_order(demands(text)) for d in each_of_all(part, structure)]
     if len(parts) > 1 and not order.retype(parts[0], structure):
         of_new = _of_the_new(parts, structure)
@@ -43,14 +45,15 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
             parts.pop(0)
         before, topic = demand, topic_of(demand, current) or topic
         hidden = unshown(demand)
-        found = (hidden) if hidden else _found(demand, current)
-        if found is None and (named := _with_article(demand, current)):
-            found = _found(named, current)
-        if found is None:
-            continue
         try:
+            found = (hidden) if hidden else _found(demand, current)
+            if found is None and (named := _with_article(demand, current)):
+                found = _found(named, current)
+            if found is None:
+                continue
             after = _applied(found, current)
-        except EditError:
+        except EditError as error:
+            refused = refused or error
             continue
         if found[0] and _same(current, after):
             found = [], f"{ALREADY} ({found[1]})"
@@ -58,7 +61,18 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
         edits += found[0]
         said.append(found[1])
         topic = next((c for e in reversed(found[0]) if (c := _object(e))), topic)
+    if refused is not None and not said:
+        raise refused
+    said += [f"not done: {refused}"] if refused is not None else []
     return [*edits, *described(structure, current)], said
+
+
+def _doer(text: str, structure: Structure) -> str | None:
+    """Who "it" is that a text begins with: the only one who does what is told of it."""
+    said = re.match(r"(?:no,? )?(?:it|he|she|they)\b(?P<told>[^.;]+)", text)
+    told = re.sub(language.table("refine")["told"]["meanwhile"], " ", said["told"]) if said else ""
+    found = [c.id for c in structure.objects if said and doing(told, actions_of(c))]
+    return found[0] if len(found) == 1 else None
 
 
 def _same(before: Structure, after: Structure) -> bool:

@@ -7,12 +7,13 @@ they differ are set, of the components that the clause names and of those that a
 import re
 from typing import Any
 
+from c2s_engine.interpret.changes.acts import at_rest_before
 from c2s_engine.interpret.changes.apart import told_apart
 from c2s_engine.interpret.changes.forms import Found
 from c2s_engine.interpret.changes.in_words import in_words
+from c2s_engine.interpret.changes.kept import WAYS
 from c2s_engine.interpret.changes.phases import (
     PASSING,
-    WAYS,
     awaited,
     given_up,
     joined,
@@ -63,6 +64,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
     found = _read_amid(*told_apart(clause, structure), wanted)
     if found is None:
         return None
+    found = at_rest_before(clause, found, structure)
     edits = [_named_apart(e, structure) if isinstance(e, AddObject) else e for e in found]
     return edits, in_words(edits, structure)
 

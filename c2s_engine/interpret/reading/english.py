@@ -5,6 +5,10 @@ import re
 from c2s_engine.interpret.reading import spelling, syntax
 
 WORD = re.compile(r"[^\W\d_]{2,}(?:['’][^\W\d_]+)?")
+NOTED = 0.8
+"""The same of LONG texts without any function word."""
+LONG = 8
+"""Words."""
 ENOUGH = 4
 """Words that it takes to tell; of shorter texts only the script is looked at."""
 SHARE = 0.7
@@ -17,8 +21,8 @@ def is_english(text: str) -> bool:
     if len(words) < ENOUGH:
         return not re.search(r"[^\W\d_a-zA-Z]{2,}", text)
     function_words = syntax.parser().Defaults.stop_words
-    told = sum(_known(word) + (word in function_words) for word in words)
-    return told >= SHARE * len(words)
+    functional = sum(word in function_words for word in words)
+    return sum(map(_known, words)) + functional >= (SHARE if functional or len(words) < LONG else NOTED) * len(words)
 
 
 def _known(word: str) -> bool:

@@ -8,7 +8,11 @@ from functools import cache
 from c2s_engine.interpret import language
 from c2s_engine.interpret.reading.scan import Span
 from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Cast, Entity
+
+SLOWS = ("brake", "stop")
+"""Acts whose acceleration is one that slows down."""
 
 
 @dataclass(frozen=True)
@@ -47,37 +51,36 @@ def _of_sentence(
     for quantity in (q for q in quantities if start <= q.start < end):
         before = plain[start : quantity.start]
         above, below = _pattern("upper").search(before), _pattern("lower").search(before)
-        kind = _kind(quantity.data["dimension"], before, plain[quantity.end : end])
+        event = _bound(clauses, start, quantity.start)
+        slows = event is not None and event.act in SLOWS
+        kind = _kind(quantity.data["dimension"], before, plain[quantity.end : end], slows)
         if not kind or not (above or below) or not demanded and quantity.data["dimension"] != "acceleration":
             continue
         at = start + (above or below).start()  # type: ignore[union-attr]
-        subject, other = _whose(cast, clauses, start, quantity.start)
+        subject, other = (event.agent, event.patient) if event is not None else (cast.ego, None)
         low, high = (None, quantity.data["high"]) if above else (quantity.data["low"], None)
         yield LimitTold(kind, subject, other if kind == "gap" else None, low, high, (at, quantity.end))
     for event in clauses.events:
         if event.act == "collide" and event.mode == "negated" and start <= event.start < end and demanded:
             yield LimitTold("collision", event.agent, event.patient, None, None, (event.start, event.end))
     if demanded and (none := _pattern("untouched").search(plain, start, end)):
-        subject, _ = _whose(cast, clauses, start, none.start())
-        yield LimitTold("collision", subject, None, None, None, none.span())
+        event = _bound(clauses, start, none.start())
+        yield LimitTold("collision", event.agent if event is not None else cast.ego, None, None, None, none.span())
 
 
-def _kind(dimension: str, before: str, behind: str) -> str:
-    """What is bounded; empty where it is nothing that can be."""
+def _kind(dimension: str, before: str, behind: str, slows: bool) -> str:
+    """What is bounded, of one who slows down or not; empty where it is nothing that can be."""
     around = before + behind
     if dimension == "acceleration":
         if _pattern("sideways").search(around):
             return "lateral_acceleration"
-        return "deceleration" if _pattern("braking").search(around) else "acceleration"
+        return "deceleration" if slows or _pattern("braking").search(around) else "acceleration"
     if dimension == "distance":
         return "gap" if _pattern("distance").search(around) else ""
     return "speed" if dimension == "speed" else ""
 
 
-def _whose(cast: Cast, clauses: Clauses, start: int, at: int) -> tuple[Entity, Entity | None]:
-    """Whom it binds, and towards whom: of the event that began last before it in its sentence; else ego."""
+def _bound(clauses: Clauses, start: int, at: int) -> Event | None:
+    """What is bounded, and whom it binds, and towards whom: the event that began last before it in its sentence."""
     near = [e for e in clauses.events if start <= e.start <= at]
-    if not near:
-        return cast.ego, None
-    event = max(near, key=lambda e: e.start)
-    return event.agent, event.patient
+    return max(near, key=lambda e: e.start) if near else None

@@ -65,7 +65,7 @@ def test_what_is_left_open_is_assumed_with_a_reason(read) -> None:
      ("A child crosses an urban street ahead of ego.", "no field tells an urban street from others", ""),
      ("Ego follows a city bus at 40 km/h.", "the text does not say what kind of road it is", ""),
      ("On the autobahn ego comes upon a jam behind a bend: a car stands in its lane.",
-      "R has one kind of place; “autobahn” was said, too", "motorway")],
+      "R has one kind of place; “bend” was said, too", "curve")],
 )  # fmt: skip
 def test_a_kind_of_road_that_is_said_and_not_in_s_is_named(read, text, reason, was) -> None:
     kind = next(a for a in read(text).place.assumed if a.field == "kind")

@@ -20,6 +20,9 @@ class FakeEngine:
         self.waiting = asyncio.Event()
         self.stopped = 0
 
+    async def without_effect(self, text, upon=None):
+        return ()
+
     async def say(self, structure: Structure, text: str, **options):
         yield Say(text=f"heard {text}")
         if "wait" in text:

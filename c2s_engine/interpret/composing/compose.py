@@ -179,6 +179,12 @@ def _named_road(scene: Scene) -> str:
     return f"{'an' if words[0][0] in 'aeiou' else 'a'} {words[0].removesuffix('s')}" if words else ""
 
 
+def _said_too(scene: Scene, kind: str) -> str:
+    """The other kind of place that is said besides the one that S has; empty where none is."""
+    other = "curve" if kind == "motorway" else "motorway" if kind in ONE_OF_ITS_KIND else ""
+    return other if other in scene.road.spans else ""
+
+
 def _place_assumed(scene: Scene, place) -> list[Assumption]:  # noqa: ANN001
     assumed = []
     spans = scene.road.spans
@@ -186,11 +192,11 @@ def _place_assumed(scene: Scene, place) -> list[Assumption]:  # noqa: ANN001
         named = _named_road(scene)
         reason = f"no field tells {named} from others" if named else "the text does not say what kind of road it is"
         assumed.append(Assumption(field="kind", value=place.kind, reason=reason))
-    elif "motorway" in spans and place.kind in ONE_OF_ITS_KIND and not scene.road.no_intersection:
-        words = scene.plain[slice(*spans["motorway"])]
+    elif (also := _said_too(scene, place.kind)) and not scene.road.no_intersection:
+        words = scene.plain[slice(*spans[also])]
         assumed.append(
             Assumption(field="kind", value=place.kind, reason=f"R has one kind of place; “{words}” was said, too",
-                       by=FITTED, was="motorway")
+                       by=FITTED, was=also)
         )  # fmt: skip
     if place.kind == "intersection" and place.arms is None:
         assumed.append(Assumption(field="arms", value="3 or 4", reason="the text does not say how many roads meet"))

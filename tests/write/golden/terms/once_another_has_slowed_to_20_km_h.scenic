@@ -10,7 +10,7 @@ from c2s_driving import *
 place = Uniform(*stretches(straight=True, length=325, least=102))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 43.2 km/h; it brakes when the lead goes at 20 km/h.
+## E: Ego, a car, drives at 43.2 km/h; it brakes when the lead goes at 20.2 km/h.
 EGO_SPEED = 12  # m/s
 
 behavior EgoBehavior():

@@ -10,6 +10,8 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
 from c2s_engine.write.typed import ResolveError, make_plan
 from c2s_engine.write.typed.layout import Draw, boxes, clashes, draws
 from c2s_engine.write.typed.spread import spread
+from c2s_engine.write.typed.stations import set_back
+from c2s_engine.write.typed.tables import WIDTH
 from tests.write.closed import outcome
 
 
@@ -137,3 +139,12 @@ async def test_the_layout_is_that_of_the_scene(engine, things):
 def test_debris_in_the_way_is_nothing_to_drive_over(writer, ego, blueprint):
     structure = made({"type": "debris"}, {"type": "car", "placement": {"position": "left_lane"}}, ego=ego)
     assert blueprint in writer.write(structure, "O1").code
+
+
+@pytest.mark.parametrize(("action", "further"), [("enter_road", True), ("stationary", False)])
+def test_what_stands_by_one_that_pulls_out_is_out_of_its_way(action, further):
+    bus = {"type": "bus", "speed": 0.0, "placement": {"position": "parked", "side": "right"},
+           "phases": [{"action": "wait"}, {"action": action}]}  # fmt: skip
+    stop = {"type": "bus_stop", "placement": {"position": "roadside", "of": "O1", "side": "right", "along": "abreast"}}
+    found = spread(made(bus, stop))
+    assert (set_back(found, "O2", make_plan(found)) > WIDTH["bus"] / 2) is further

@@ -14,6 +14,7 @@ from c2s_engine.write.typed.tables import (
     MOVES_OFF_ROAD,
     WIDTH,
     WORKS,
+    is_static,
     is_vehicle,
     is_walker,
 )
@@ -65,6 +66,8 @@ INSIDE = 1.1
 """m behind the face of a wide thing where somebody stands whom it hides."""
 AT_DOOR = 0.1
 """m from a vehicle to who stands at its door."""
+CLEAR = 0.4
+"""m between a vehicle that pulls out from the kerb and what stands beside it there."""
 RIGHT_BEHIND = 0.4
 """m from what hides somebody to who stands by it."""
 
@@ -81,8 +84,14 @@ def along(spec: ObjectSpec) -> int:
 
 def set_back(structure: Structure, cid: str, plan: Plan) -> float:
     """How much further from the road (m; below 0: nearer to it) somebody on foot starts who sets out when S says, so as
-    to cross after the one that they wait for, or as ego comes: as far as what hides them lets them be hidden."""
+    to cross after the one that they wait for, or as ego comes: as far as what hides them lets them be hidden. What
+    stands by one that will pull out from the kerb stands behind it, seen from the road."""
     spec = structure[cid].spec
+    assert isinstance(spec, ObjectSpec)
+    beside = structure[spec.placement.of].spec if spec.placement.of in structure else None
+    if isinstance(beside, ObjectSpec) and is_static(spec) and not is_walker(spec.type) and _pulls_out(beside):
+        room = (WIDTH[beside.type] + WIDTH.get(spec.type, 1.0)) / 2 + CLEAR
+        return round(max(outwards(beside) + room - outwards(spec), 0.0), 1)
     first = spec.phases[0] if isinstance(spec, ObjectSpec) and spec.phases else None
     if first is None or first.trigger is None or not is_walker(spec.type) or not crosses(spec):  # type: ignore
         return 0.0
@@ -106,6 +115,12 @@ def set_back(structure: Structure, cid: str, plan: Plan) -> float:
     else:
         return 0.0
     return round(min(max(due * pace - own, -near), far), 1)
+
+
+def _pulls_out(spec: ObjectSpec) -> bool:
+    """Whether a vehicle beside the road comes onto it."""
+    comes = any(p.action in ("enter_road", "start") for p in spec.phases)
+    return comes and is_vehicle(spec.type) and spec.placement.position in MOVES_OFF_ROAD
 
 
 def _to_middle(structure: Structure, spec: ObjectSpec, plan: Plan) -> float:

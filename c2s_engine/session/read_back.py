@@ -121,5 +121,16 @@ async def _read_again(
 
 def _shown(change: Change) -> str:
     """The new value of a field in short, with its unit."""
-    number = ends(change.new)
-    return in_words(change.name, number) if number else str(change.new)
+    return plain(change.name, change.new)
+
+
+def plain(name: str, value: object) -> str:
+    """A value as people read it: of what has several parts, those that say something."""
+    if number := ends(value):
+        return in_words(name, number)
+    if isinstance(value, dict):
+        parts = {k: v for k, v in value.items() if v not in (None, "", [], {}, False)}
+        return ", ".join(f"{field_words(k)} {plain(k, v)}" for k, v in parts.items())
+    if isinstance(value, list):
+        return "; ".join(plain(name, v) for v in value) or "nothing"
+    return "nothing" if value is None else str(value).replace("_", " ")

@@ -3,6 +3,7 @@
 import pytest
 import pytest_asyncio
 
+from c2s_engine.session.read_back import plain
 from c2s_engine.session.sessions import Sessions
 from c2s_engine.structure.components import unrecognised
 from c2s_engine.structure.edits import SetCode, SetField, SetProgram
@@ -103,3 +104,15 @@ async def test_code_that_was_kept_against_its_fields_says_so(session):
     assert session.structure["O1"].by_hand == "", "what was kept is not what stands there now"
     await done(session.apply(SetCode(component="O1", code=None), run=False))
     assert session.structure["O1"].by_hand == "" and "THE_CAR_SPEED = 12.5" in session.structure["O1"].code
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        ([{"kind": "distance", "subject": "ego", "other": "O2", "minimum": 100.0, "maximum": None}],
+         "kind distance, subject ego, other O2, minimum 100"),
+        ("police_car", "police car"), (None, "nothing"), ([], "nothing"),
+    ],
+)  # fmt: skip
+def test_what_was_read_is_told_in_words(value, words):
+    assert plain("require", value) == words

@@ -33,7 +33,10 @@ def shown(run, town, monkeypatch):
     def go(arguments, opposite="", ego="Cruise(way(place.lane, place.turn), 2)"):
         recording = run(PROGRAM.format(arguments=arguments, opposite=opposite, ego=ego), seconds=4).recording
         roads = [town.index.lanes[town.index.lane_at(p.x[0], p.y[0], p.heading[0])].road for p in recording.paths]
-        return [{time: colour for time, _, road, colour in recording.lights if road == each} for each in roads]
+        lights = {(junction, road) for _, junction, road, _ in recording.lights}
+        # a road may have lights at both ends
+        (there,) = set.intersection(*({j for j, road in lights if road == each} for each in roads))
+        return [{t: colour for t, *light, colour in recording.lights if light == [there, each]} for each in roads]
 
     return go
 

@@ -11,27 +11,19 @@ from c2s_engine.interpret.what.aftermath import aftermath
 from c2s_engine.interpret.what.bearings import against_the_traffic, sides_by_compass
 from c2s_engine.interpret.what.claims import claimed
 from c2s_engine.interpret.what.clauses import Clauses
-from c2s_engine.interpret.what.doors import doors_opened
 from c2s_engine.interpret.what.foot_crossings import on_foot
-from c2s_engine.interpret.what.headlines import story_first
 from c2s_engine.interpret.what.indicated import indicated
 from c2s_engine.interpret.what.left_untold import left_untold
 from c2s_engine.interpret.what.limits_told import limits_told
-from c2s_engine.interpret.what.onwards import same_side, turns_by_name
+from c2s_engine.interpret.what.onwards import same_side
 from c2s_engine.interpret.what.passing import came_up_behind
 from c2s_engine.interpret.what.passives import unnamed_doers
-from c2s_engine.interpret.what.pulled_out import pulled_out
-from c2s_engine.interpret.what.pulled_over import had_pulled_over
 from c2s_engine.interpret.what.run_ends import run_ends
 from c2s_engine.interpret.what.sense import rules_of_sense
-from c2s_engine.interpret.what.stays_put import stays_put
-from c2s_engine.interpret.what.there_and_back import swerves_back
 from c2s_engine.interpret.what.unsaid import by_who_did_not_notice, unsaid
-from c2s_engine.interpret.where.other_lane import meets_ego, next_lane
 from c2s_engine.interpret.where.own_edge import on_own_edge
-from c2s_engine.interpret.where.protruding import protruding
 from c2s_engine.interpret.where.relations import Places
-from c2s_engine.interpret.where.struck import came_out_into, merged_into, pushed
+from c2s_engine.interpret.where.struck import came_out_into, merged_into
 from c2s_engine.interpret.who.mentions import Cast
 
 
@@ -59,30 +51,19 @@ def understand(text: str) -> Scene:
     by_who_did_not_notice(cast, clauses)
     endings = run_ends(plain, sentences, clauses)
     unnamed_doers(cast, clauses)
-    story_first(cast, clauses)
-    had_pulled_over(clauses)
-    pushed(clauses)
     merged_into(clauses)
     came_out_into(clauses)
     came_up_behind(clauses)
-    turns_by_name(cast, clauses)
     choose_ego(cast, clauses)
     unsaid(cast, clauses)
     claimed(cast, clauses)
     aftermath(cast, clauses)
-    pulled_out(cast, clauses, road)
     against_the_traffic(clauses)
     sides_by_compass(clauses)
     indicated(cast, clauses)
     same_side(clauses)
-    stays_put(cast, clauses)
-    doors_opened(cast, clauses)
-    swerves_back(clauses)
     places = Places(cast, clauses)
-    next_lane(plain, road, places.of)
-    meets_ego(clauses, places.of)
     on_own_edge(clauses, places.of, road)
-    protruding(clauses, places.of)
     on_foot(plain, road, clauses)
     rules_of_sense(cast, clauses, road)
     left_untold(cast, clauses)

@@ -10,13 +10,13 @@ from c2s_engine.require.geometry import HORIZON, lead
 from c2s_engine.require.outcome import struck as struck_pairs
 from c2s_engine.require.results import between, scored, span, unknown, words
 from c2s_engine.require.scene import Scene, bounds
-from c2s_engine.require.starts import VEHICLES
+from c2s_engine.require.starts import OFF_LANES, VEHICLES
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import ObjectSpec
 
-OFF_LANES = ("roadside", "sidewalk", "parked", "intersection_exit")
+BESIDE = (*OFF_LANES, "intersection_exit")
 """Who comes from there comes into ego's way, and by no way that meets it."""
 IN_MIDDLE = 0.15
 """m from the middle of ego's way within which one is there."""
@@ -38,7 +38,7 @@ def _arriving(scene: Scene, actor: str, spec: ObjectSpec) -> Iterator[Requiremen
     after = f"{abs(least):g} s {'after' if least >= 0 else 'before'} ego"
     when = after if least or most else "together with ego"
     values = {"other": EGO, "least": least, "most": most}
-    if place.position in OFF_LANES:
+    if place.position in BESIDE:
         if any(p.action == "cross_road" and p.abandoned for p in spec.phases):
             return  # it stays beside ego's way
         where = "ego's way" if spec.type in VEHICLES else "the middle of ego's way"
@@ -72,13 +72,11 @@ def arrives(requirement: Requirement, evidence: Evidence) -> Result:
     there = _moment(ego.time, front)
     if there is None:
         return scored(requirement, -1.0, said, "ego does not come there")
-    seen = time - there
-    return _within(requirement, seen, room, said, time)
+    return _within(requirement, time - there, room, said, time)
 
 
 def _moment(time: np.ndarray, values: np.ndarray) -> float | None:
-    """When values pass 0; had they gone on as they did at last, where a contact ended
-    them. None: never."""
+    """When values pass 0; had they gone on as they did at last, where a contact ended them. None: never."""
     reached = np.flatnonzero(np.sign(values) != np.sign(values[0]))
     if len(reached):
         k = int(reached[0])

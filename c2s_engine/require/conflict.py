@@ -82,8 +82,9 @@ def without_reaction(structure: Structure) -> Structure | None:
     """S with ego's reaction switched off; None where S says neither a conflict nor who comes when, where there is no
     reaction, or where ego's code is not written from S."""
     scene = Scene(structure)
-    needed = any(r.check == "reacts" or r.values.get("reaction") for r in required(scene))
-    if not needed and not any(True for _ in arriving.required(scene)):
+    if not any(arriving.required(scene)) and not any(
+        r.check == "reacts" or r.values.get("reaction") for r in required(scene)
+    ):
         return None
     changed = unaware(structure)
     return changed if changed.ego.spec != structure.ego.spec else None

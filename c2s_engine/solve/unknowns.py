@@ -27,7 +27,7 @@ LIMITS = {"gap": (2.0, 400.0), "speed": (1.0, 36.0), "rate": (1.0, 9.0), "durati
 """What may be chosen, by the last part of the path: m, m/s, m/s2, s, m, s, s, m or s."""
 NEAR = {"distance": METRES, "ttc": SECONDS}
 """How near is near, by what a condition watches, where S does not say: m, s."""
-UNITS = {"distance": "m", "ttc": "s"}
+_UNITS = {"distance": "m", "ttc": "s"}
 STRAYS = 0.3
 """The share of what is usual by which a speed may be higher or lower."""
 
@@ -120,7 +120,7 @@ def chosen(structure: Structure, unknown: Unknown, value: Quantity, reason: str 
         return structure
     said = in_words(field, value)
     if field.endswith(".value"):
-        said += f" {UNITS[value_at(structure[unknown.component].spec, field.removesuffix('value') + 'kind')]}"  # type: ignore[index]
+        said += f" {_UNITS[value_at(structure[unknown.component].spec, field.removesuffix('value') + 'kind')]}"  # type: ignore[index]
     note = Assumption(field=field, value=said, reason=reason, by=by, was=was)
     others = tuple(a for a in kept if a.field != field)
     changed = changed.with_component(changed[unknown.component].model_copy(update={"assumed": (*others, note)}))

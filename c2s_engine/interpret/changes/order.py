@@ -7,7 +7,6 @@ from c2s_engine.interpret.changes.bounds import bound
 from c2s_engine.interpret.changes.forms import Form
 from c2s_engine.interpret.changes.how_many import count
 from c2s_engine.interpret.changes.looks import blueprint
-from c2s_engine.interpret.changes.members import member
 from c2s_engine.interpret.changes.motion import distance, rate, reaction, sides
 from c2s_engine.interpret.changes.objects import remove, retype
 from c2s_engine.interpret.changes.roadsides import roadside
@@ -28,7 +27,6 @@ FORMS: tuple[Form, ...] = (
     abreast,
     sign,
     roadside,
-    member,
     count,
     swapped,
     retype,

@@ -42,7 +42,6 @@ def phases_of(
     if stands and _run_into(scene, entity):
         found = [p for p in found if p.action != "collide" or p.target == ego_key]  # it is only pushed on
     found = _merged(found)
-    found = [p for p in found if True]
     if crossing and not any(
         p.action in ("turn_left", "turn_right", "go_straight", "u_turn", "stationary", "collide", "stop", "wait")
         for p in found

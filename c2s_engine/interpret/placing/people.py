@@ -50,9 +50,6 @@ def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: P
         beside = where.rel or place.ego_lane and where.lane != own
         if where.lane in ("left", "right") and beside and "cross_road" not in acts:
             return {"position": f"{where.lane}_lane", "along": along_of(where.rel), "said": True}
-        met = None if not crosses else None
-        if met is not None:
-            return met
         if "oncoming" in acts and where.rel is None and not crosses:
             return {"position": "oncoming_lane", "said": True}
         if where.lane == "oncoming" and place.kind == "intersection":

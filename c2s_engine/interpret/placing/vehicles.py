@@ -79,7 +79,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         }
     if lane == "oncoming" or "oncoming" in roles:
         return {
-            "position": "opposite_approach" if junction and True else "oncoming_lane",
+            "position": "opposite_approach" if junction else "oncoming_lane",
             "said": True,
         }
     if lane == "crossing" or "crossing" in roles and junction:

@@ -24,7 +24,6 @@ def reattach(words: list[Word]) -> None:
         find_subject(words, word)
         bring_home(words, word)
         _by_which(words, word)
-        _object_of_relative(words, word)
         _two_subjects(words, word)
 
 
@@ -40,14 +39,6 @@ def _by_which(words: list[Word], using: Word) -> None:
         if using.dep == "ccomp":
             hang(words, noun, verb, "dobj")
         hang(words, using, verb, "advcl")
-
-
-def _object_of_relative(words: list[Word], verb: Word) -> None:
-    """Give the relative clause of "the van that had passed him turned left" its object."""
-    subjects = [words[c] for c in verb.children if words[c].dep in ("nsubj", "nsubjpass") and c < verb.i]
-    if len(subjects) != 2 or subjects[1].i - 1 in (subjects[0].i, verb.i):
-        return
-    first, second = subjects
 
 
 def _two_subjects(words: list[Word], verb: Word) -> None:

@@ -67,7 +67,6 @@ def actors(scene: Scene) -> list[Entity]:
             and where.rel is None
             and where.lane is None
             and not mentioned_alone(scene, entity)
-            and True
         ):
             continue
         if entity.noun == "traffic" and any(

@@ -48,36 +48,12 @@ def compared_speeds(scene: Scene, quantities: list[Span]) -> None:
         if owner in scene.speeds and number is None:
             continue
         scene.speeds[owner] = (*_changed(match, number, base[0], base[1]), match.start(), match.end())
-    _same_speeds(scene)
-    _same_as_named(scene)
     _by_difference(scene, quantities)
 
 
 SAME = re.compile(
     r"\b(?:at|with|does|do|drives?|having) (?:just |exactly |about )?the same (?:speed|pace|velocity)\b(?! as)"
 )
-SAME_AS = re.compile(
-    r"\b(?:the same (?:speed|pace|velocity) as|(?:just |exactly )?as fast as|the (?:speed|pace) of)"
-    r"(?= (?:(?:the|that|of) )*[\w-]+(?: [\w-]+)?(?: ahead| behind| in front)?(?: ?[.,;(]| and\b| at\b|$))"
-)
-
-
-def _same_speeds(scene: Scene) -> None:
-    """Who drives "at the same speed" beside another that it is placed by is as fast as that one."""
-    for match in SAME.finditer(scene.plain):
-        owner = owner_of(scene, match.start())
-        near = [i for i in sorted(scene.cast.of) if scene.words[i].start < match.start()]
-        by = [e for i in near[-3:] if (e := scene.cast.of[i]) in scene.actors and True]
-        owner = by[-1] if by and by[-1] not in scene.speeds else owner
-
-
-def _same_as_named(scene: Scene) -> None:
-    """Who drives "at the same speed as the van": where one's speed is told, it is the other's, too."""
-    for match in SAME_AS.finditer(scene.plain):
-        owner = owner_of(scene, match.start())
-        named = [scene.cast.of[i] for i in sorted(scene.cast.of) if match.end() <= scene.words[i].start]
-        if owner is None or not named or named[0] is owner:
-            continue
 
 
 def _by_difference(scene: Scene, quantities: list[Span]) -> None:

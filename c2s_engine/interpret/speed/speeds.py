@@ -4,11 +4,9 @@ import re
 
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.scene import Scene
-from c2s_engine.interpret.speed.by_limit import by_limit
 from c2s_engine.interpret.speed.comparisons import compared_speeds, is_difference
 from c2s_engine.interpret.speed.owners import named_before, whose_own
 from c2s_engine.interpret.speed.ratios import speeds_by_ratio
-from c2s_engine.interpret.speed.shared_out import shared_out
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import VEHICLES, Entity
 
@@ -45,7 +43,6 @@ FILLS = re.compile(r"\b(?:occup|block|fill|obstruct|cover)\w* (?:up )?both lanes
 def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
     """Whose each speed is: the agent of the clause it stands in, the noun that it describes, or both parties."""
     clauses, cast = scene.clauses, scene.cast
-    shared_out(scene)
     by_span = {id(w.span): w for w in scene.words if w.span is not None and w.span.kind == "quantity"}
     for span in quantities:
         if span.data["dimension"] != "speed" or SIDEWAYS.search(scene.plain[max(0, span.start - 40) : span.start]):
@@ -137,7 +134,6 @@ def speeds(scene: Scene, quantities: list[scan.Span]) -> None:
         assert part.group is not None
         scene.speeds.setdefault(part, scene.speeds[part.group])
     compared_speeds(scene, quantities)
-    by_limit(scene)
     speeds_by_ratio(scene)
 
 

@@ -17,18 +17,6 @@ ALONG_KERB = re.compile(
     r"\b(?:hug\w*|(?:travel|ride|drive|cycle|pedal|go|move|run|roll|proceed|keep)\b.*\b(?:to|near|along|by|at|beside))"
     r" (?:the |its )?(?:\w+ ){0,2}(?:kerb|curb)\b"
 )
-FRONTED_FAR = re.compile(
-    r"(?:^|[,:;] |\band |\bwhile )(?P<place>(?:about |around |roughly |some |only |just )?(?:#dist |#time )?"
-    r"(?:directly |immediately |right |close )?(?:in front of|ahead of|behind) (?:the )?@(?P<of>\w+)) ?,? ?"
-    r"(?:a|an|another|the|one|some|two|three|several)(?: [a-z-]+){0,2} $"
-)
-"""A place before the one who is there: "20 m behind the truck a motorcycle"."""
-FAR_AHEAD = re.compile(
-    r"^(?:about |around |roughly |some |only |just )?#dist (?:further )?(?:ahead|in front|on)"
-    r"(?: of (?:the )?@ego)? ,? ?"
-    r"(?:[a-z-]+ ){0,3}$"
-)
-"""How far ahead what the sentence then names lies: "50 m ahead, debris"."""
 
 
 @dataclass

@@ -13,9 +13,6 @@ def aftermath(cast: Cast, clauses: Clauses) -> None:
     """Leave out what became of the parties once they had hit each other, and what they were charged with."""
     hits = [e for e in clauses.events if e.act == "collide" and e.done]
     own = [e for e in hits if cast.ego in (e.agent, e.patient, *e.also)]
-    for event in clauses.events:
-        if event.mode != "fact":
-            continue
     if own:
         last = max(e.word for e in own)
         for entity in [e for e in cast.entities if _came_after(e, last, hits, clauses)]:

@@ -30,13 +30,6 @@ class Afterwards(Modes):
                     event.mode, event.order = "fact", max(event.order, other.order) + 0.2
                     other.adverbial = "once" if other.act != "cross_road" else "until"  # one is seen at that before
 
-    def _after_going_on(self) -> None:
-        """Who drives on "for 5 s, then brakes" begins to brake after that time."""
-        for agent in dict.fromkeys(e.agent for e in self.events):
-            own = sorted((e for e in self.events if e.agent is agent and e.done), key=lambda e: e.order)
-            first, later = (own[0], own[1:]) if own else (None, [])
-            if first is None or first.act not in GOES_ON or not later or later[0].trigger is not None:
-                continue
 
     def _ended_waits(self) -> None:
         """What ends a wait ("until ego is 20 m away, then crosses") begins what comes next."""

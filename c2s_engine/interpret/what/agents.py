@@ -130,7 +130,7 @@ class Agents(Subjectless):
                         if self.words[child].dep == "agent":
                             for target in self.words[child].children:
                                 self.cast.referent(target)
-                return found, head.i, word.dep == "acl" and word.tag == "VBN" and True
+                return found, head.i, word.dep == "acl" and word.tag == "VBN"
             if word.dep == "acl" and head.tag.startswith("NN"):
                 above = self._governor(head)
                 bound = word.tag == "VB" or word.tag == "VBG" and head.dep != "pobj"  # "over a tyre lying there"

@@ -55,11 +55,9 @@ class Clauses(Deverbal):
             self._attributive(word)
             self._striking(word)
             self._named_by_deed(word)
-            self._standing(word)
         self._order()
         self._triggers()
         self._held_back()
-        self._after_going_on()
         self._ended_waits()
         self.events.sort(key=lambda e: e.order)
 

@@ -18,8 +18,6 @@ def go_after(clauses: Clauses) -> None:
     for event in [e for e in clauses.events if e.act == "go_after"]:
         if event.done and crossing and event.patient in (None, *crossing) and event.agent not in crossing:
             event.act = "cross_road"
-        else:
-            pass
 
 
 def set_out(clauses: Clauses) -> None:

@@ -17,19 +17,9 @@ def unheeded(clauses: Clauses) -> None:
     for event in [e for e in clauses.events if e.act in RUNS]:
         if event.mode == "negated":
             event.act, event.mode = RUNS[event.act], "fact"
-        else:
-            pass
     for event in clauses.events:
         if event.act == "keep_lane" and event.mode == "negated":
             event.act, event.mode = "drift", "fact"  # "fails to keep its lane"
-
-
-def hindered(clauses: Clauses) -> None:
-    """What another keeps ego from at a junction ego means to do, and gives way: "kept from turning left by a bus"."""
-    for event in list(clauses.events):
-        if event.act not in (*JUNCTION, "overtake") or not event.agent.ego or event.mode != "negated":
-            continue
-        continue
 
 
 BACK = re.compile(

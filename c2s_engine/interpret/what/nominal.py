@@ -51,14 +51,6 @@ class Nominal(Timing):
         event.words, event.start, event.end = [word.i], word.start, word.end
         self.by_word[word.i] = event
 
-    def _standing(self, word: Word) -> None:
-        """What an adjective before the name of ego tells: "an ambulance overtakes a standing ego"."""
-        ego = self.cast.of.get(word.i)
-        before = self.words[word.i - 1] if word.i and word.span is not None else None
-        if ego is None or not ego.ego or before is None or before.norm not in STANDS | {"waiting"}:
-            return
-        if any(e.agent.ego and e.act in HALTS | {"start"} for e in self.events):
-            return
 
     def _named_by_deed(self, word: Word) -> None:
         """What the name of a road user tells of it: "an overtaking truck" overtakes ego."""

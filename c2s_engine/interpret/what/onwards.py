@@ -5,10 +5,8 @@ from __future__ import annotations
 
 import re
 
-from c2s_engine.interpret.entities import MOTOR
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.towards import side
-from c2s_engine.interpret.who.mentions import Cast
 
 TOWARDS = frozenset(("drift", "swerve", "lane_change", "turn_or_change", "lose_control"))
 TURNING = re.compile(r"\b(?P<side>left|right)[- ]turning\b")
@@ -24,15 +22,3 @@ def same_side(clauses: Clauses) -> None:
         near = [e for e in before if e.act in TOWARDS and here - clauses.words[e.word].sentence <= 1]
         if near and near[-1] is max(before, key=lambda e: e.order):
             event.side = side(near[-1])
-
-
-def turns_by_name(cast: Cast, clauses: Clauses) -> None:
-    """Let one that is only called a turning one, and is in a collision, turn before it."""
-    for entity in cast.entities:
-        told = [e for e in clauses.events if e.done and (entity in (e.agent, e.patient) or e.act == "collide")]
-        blow = next(
-            (e for e in told if e.act == "collide" and (e.patient is None or entity in (e.agent, e.patient))), None
-        )
-        acts = {e.act for e in told if e.agent is entity}
-        if blow is None or entity.type not in MOTOR or not acts <= {"collide", "travel"}:
-            continue

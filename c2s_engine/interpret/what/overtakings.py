@@ -8,7 +8,6 @@ from c2s_engine.interpret.what.towards import OPPOSITE, side
 from c2s_engine.interpret.who.mentions import Entity
 
 BACK = re.compile(r"\b(?:back|again|return\w*|in|re-?join\w*|re-?enter\w*)\b")
-HOME = re.compile(r"\bback\b|\bagain\b|return")
 COMES_IN = re.compile(r"\b\w+ (?:\w+ly )?back (?:in|over|across)\b")
 PART = "part"
 """The mode of what another event tells, too."""
@@ -21,13 +20,11 @@ def overtakings(clauses: Clauses) -> None:
     _comes_back_in(clauses, [e for e in passing if not e.agent.ego and (e.patient is None or e.patient.ego)])
     for event in passing:
         own = [e for e in clauses.events if e.agent is event.agent and e.done and e is not event]
-        if event.agent.person or not event.agent.mover and not event.agent.ego:
+        if event.agent.person or event.agent.ego or not event.agent.mover:
             continue
         out = [e for e in own if e.order < event.order and e.act in ("lane_change", "cut_in", "cut_out")]
         back = [e for e in own if e.order > event.order and e.act in ("lane_change", "cut_in")]
-        if event.agent.ego and True:
-            _by_ego(event, out, back)
-        elif not event.agent.ego and (event.patient is None or event.patient.ego):
+        if event.patient is None or event.patient.ego:
             _past_ego(event, out, back)
 
 
@@ -79,10 +76,3 @@ def _past_ego(event: Event, out: list[Event], back: list[Event]) -> None:
         if BACK.search(change.text) and home in (None, OPPOSITE.get(event.side or towards or "left")):
             change.act, change.patient = "cut_in", event.patient
             change.side = change.side or OPPOSITE.get(event.side or towards or "")
-
-
-def _by_ego(event: Event, out: list[Event], back: list[Event]) -> None:
-    """Ego pulls out, passes and comes back: the overtaking is all of it, where it comes back."""
-    home = [e for e in back if e.act == "lane_change" and HOME.search(e.text) and "behind" not in e.text]
-    if not home or not out or event.patient is None:
-        return

@@ -21,28 +21,6 @@ def came_up_behind(clauses: Clauses) -> None:
     _between_the_lines(clauses)
 
 
-def passed(cast: Cast, clauses: Clauses) -> None:
-    """Whom those pass of whom it is not said, or said of another."""
-    past_who_stands(clauses)
-    one_then_another(cast, clauses)
-    across_the_bows(clauses)
-
-
-def past_who_stands(clauses: Clauses) -> None:
-    """Whom one goes past is told before: "a man in a parked car opens the door as a cyclist passes"."""
-    for event in clauses.events:
-        if event.act != "overtake" or event.patient is not None or event.adverbial not in ("as", "when", "while"):
-            continue
-
-
-def one_then_another(cast: Cast, clauses: Clauses) -> None:
-    """Who comes past after another does as that one does: "a cyclist comes by, then a van"."""
-    for event in clauses.events:
-        who = event.patient
-        if event.act != "overtake" or who is None or who.ego:
-            continue
-
-
 def headings(cast: Cast, clauses: Clauses) -> None:
     """A title about merging ("Cooperative merging with three agents") does not say that ego does it."""
     told = {cast.words[m.word].sentence for m in cast.ego.mentions}
@@ -101,10 +79,3 @@ def by_the_other_lane(clauses: Clauses, road: Road) -> None:
             continue
         clauses.events.append(Event.echo(event, act="oncoming", order=event.order - 0.1, side="left"))
         return
-
-
-def across_the_bows(clauses: Clauses) -> None:
-    """Who has gone past another and then cuts across in front of it cuts in: "came past me and cut across my front"."""
-    for event in clauses.events:
-        if event.act != "cross_path" or not event.done or clauses._lemma(clauses.words[event.word]) != "cut":
-            continue

@@ -8,13 +8,12 @@ from c2s_engine.interpret.what.backstory import was_over
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.halfway import go_after, set_out
-from c2s_engine.interpret.what.heeded import hindered, merged_back, unheeded
+from c2s_engine.interpret.what.heeded import merged_back, unheeded
 from c2s_engine.interpret.what.looking_back import looking_back, tried_to_avoid
 from c2s_engine.interpret.what.making_room import makes_room
 from c2s_engine.interpret.what.overtakings import PART, overtakings
-from c2s_engine.interpret.what.passing import by_the_other_lane, headings, passed
-from c2s_engine.interpret.what.resumed import goes_first, own_turns, waited_turns
-from c2s_engine.interpret.what.there_and_back import there_and_back
+from c2s_engine.interpret.what.passing import by_the_other_lane, headings
+from c2s_engine.interpret.what.resumed import waited_turns
 from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.what.waiting import waited_for
 from c2s_engine.interpret.who.mentions import Cast
@@ -37,7 +36,6 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     """What single clauses cannot tell: a stop that is denied before a stop sign, a pass that is waited for."""
     by_means(cast, clauses)
     unheeded(clauses)
-    hindered(clauses)
     merged_back(clauses)
     looking_back(cast, clauses)
     tried_to_avoid(cast, clauses)
@@ -140,15 +138,11 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
             if about_to and stands and not later:
                 event.mode = "hypothetical"
     headings(cast, clauses)
-    passed(cast, clauses)
     by_the_other_lane(clauses, road)
     abandoned(cast, clauses)
-    own_turns(cast, clauses)
     waited_turns(clauses)
-    goes_first(clauses)
     waited_for(cast, clauses)
     _meant_and_done(clauses)
-    there_and_back(clauses)
     overtakings(clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:

@@ -57,7 +57,7 @@ class Subjectless(Meanings):
         opening = [w for w in self.words[: word.i] if w.sentence == word.sentence]
         told = [w for w in opening if w.i in self.cast.of and w.dep not in ("pobj", "dobj", "poss") or w.tag == "VBZ"]
         finite = word.tag == "VBD" or any(w.tag == "VBD" for w in self.words if w.sentence == word.sentence)
-        return finite and not told and self._headless(word) and True
+        return finite and not told and self._headless(word)
 
     def _mark(self, word: Word) -> str:
         raise NotImplementedError

@@ -223,8 +223,7 @@ class Timing(Afterwards):
         found = [c for c in word.children if self.words[c].dep in CIRCUMSTANCES]
         for verb in self._verbs_above(word):
             found += [c for c in verb.children if self.words[c].dep in CIRCUMSTANCES]
-        inner = [c for noun in self._nouns_of(word) for c in noun.children]
-        return found + [c for c in inner if False]
+        return found
 
     def _verbs_above(self, word: Word) -> list[Word]:
         """The verbs that only begin or bring about what a verb or a noun tells: "has to brake", "initiates braking"."""

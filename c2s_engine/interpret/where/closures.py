@@ -11,7 +11,6 @@ from c2s_engine.interpret.who.mentions import Cast
 
 CLOSERS = ZONES | {"cone", "barrier", "warning_sign"}
 _LANE = r"(?P<{0}>left|right)(?:-hand|most)? (?:lane|one\b|of (?:the )?(?:two|three|four) lanes|most lane)"
-_SHUT = r"(?:clos|block|shut|occup|obstruct|cordon|fenc|cone|taken|take (?:out|up|away)|narrow)"
 
 
 def in_closed_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:

@@ -72,16 +72,6 @@ HIDDEN = (
 STANDS_OR_COMES = re.compile(r"parked|stand|stop|stationary|emerge|step|appear|run|dart")
 
 
-TO_SIDE = (
-    rf"\b{_VIEW}(?: (?:to|on|towards|into|of) {_SIDE})?"
-    rf" be (?:\w+ )?(?:{_HIDE}|obstructed|obstruct|impeded|impede|restricted|restrict|limited|limit) by {_A}"
-    r"@(?P<by>a\d+)",
-    rf"@(?P<by>a\d+)[^.;@]* {_TAKES} (?:(?:the|its|our|@ego 's) )?{_VIEW}"
-    rf"(?: (?:to|on|towards|into) {_SIDE})?(?! (?:to|of|on|for)\b)",
-)
-"""How it is said that something takes away the view (to a side)."""
-
-
 class Concealed(Gaps):
     """The part of Places that finds what blocks ego's view."""
 
@@ -104,13 +94,6 @@ class Concealed(Gaps):
                         where.rel, where.of = None, None
                     self._beyond(entity, blocker)
 
-    def _view_taken(self) -> None:
-        """Who comes from a side to which the view is taken is hidden by what takes it."""
-        text = self.clauses.render(list(range(len(self.words)))) if len(self.words) < LONG // 5 else ""
-        for match in (m for pattern in TO_SIDE for m in re.finditer(pattern, text)):
-            blocker = next((e for e in self.cast.entities if e.key == match["by"]), None)
-            comes = [e for e, w in self.of.items() if e.mover and w.lane == "crossing" and e is not blocker]
-            comes = [e for e in comes if not match["side"] or self.of[e].side in (None, match["side"])]
 
     def _beyond(self, entity: Entity, blocker: Entity) -> None:
         """A vehicle that one ahead hides, and of which nothing else is told, is ahead of that one."""

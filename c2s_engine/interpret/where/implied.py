@@ -49,8 +49,6 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
             event.act, event.side = "oncoming", "left"
         elif event.done and event.act == "overtake" and event.agent in of and event.patient is None:
             _past_another(event, clauses, of[event.agent])
-        elif event.done and event.act == "yield" and event.agent.ego and event.patient in of:
-            _urgent(clauses)
         elif event.done and event.act in ("cut_in", "lane_change") and in_from(event, of):
             in_from_aside(clauses, of[event.agent])
         elif event.done and event.act == "collide" and event.agent in of:
@@ -193,10 +191,6 @@ def _crosses(event: Event, clauses: Clauses, where: Where) -> None:
     told = any((e.agent is who or who in e.also) and e.act != "travel" for e in clauses.events)
     if who.person and not told and not who.roles and where.rel is None and where.lane is None:
         clauses.events.append(Event.echo(event, act="cross_road", agent=who, order=event.order - 0.3))
-
-
-def _urgent(clauses: Clauses) -> None:
-    """An ambulance for which ego moves aside comes from behind."""
 
 
 def _past_another(event: Event, clauses: Clauses, where: Where) -> None:

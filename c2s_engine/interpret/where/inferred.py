@@ -83,16 +83,6 @@ class Inferred(Concealed):
             if where.lane in ("left", "right", "adjacent"):
                 where.rel = where.rel or ("ahead" if ahead else "behind")
 
-    def _encroached(self) -> None:
-        """Whom ego's lane change encroaches on is beside it on that side, or where it cuts in between two."""
-        for event in self.clauses.events:
-            if not event.agent.ego or event.act not in ("drift", "lane_change", "cut_in", "collide") or not event.done:
-                continue
-            shifts = [e for e in self.clauses.events if e.agent.ego and e.act in ("lane_change", "drift") and e.done]
-            towards = next((s for e in shifts if (s := side(e))), None)
-            other = event.patient
-            if other is None or other not in self.of or not other.mover or not towards:
-                continue
 
     def _between(self) -> None:
         """ "It merges between a truck and a sedan": the first is ahead of the gap, the second behind it."""

@@ -5,7 +5,6 @@ import re
 
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.surroundings.whereabouts import (
-    FRONTED_FAR,
     STATES,
     Where,
     read,
@@ -77,7 +76,6 @@ class Places(OwnWords, Inferred):
         self._referred()
         self._between()
         self._joined()
-        self._encroached()
         self._shared()
         if self.row is None:
             self.ego_lane = self.ego_lane or number_lanes(cast, clauses, self.of)
@@ -85,7 +83,6 @@ class Places(OwnWords, Inferred):
         self._in_the_way()
         self._mutual()
         self._hidden()
-        self._view_taken()
         reveal(cast, clauses, self.of)
 
     def _before(self, word: Word) -> list[str]:
@@ -180,7 +177,6 @@ class Places(OwnWords, Inferred):
         )
         if fronted and word.span is not None:
             read(fronted[1] + (" park" if self._parks(entity) else ""), where, entity, self.cast, "noun")
-        self._fronted_far(word, front, where, entity)
         self.clauses.render([w.i for w in self.words[max(0, i - 14) : i] if w.sentence == word.sentence])
         filled = FILLED.search(front)
         if filled and word.span is not None:
@@ -275,9 +271,3 @@ class Places(OwnWords, Inferred):
         """Whether it is told as parked."""
         stands = (e for e in self.clauses.events if e.agent is entity and e.act == "stationary")
         return "parked" in entity.roles or any(e.text.startswith("park") for e in stands)
-
-    def _fronted_far(self, word: Word, front: str, where: Where, entity: Entity) -> None:
-        """A place and distance before a vehicle: "20 m behind the truck a motorcycle follows"."""
-        match = FRONTED_FAR.search(front + " ") if entity.mover and not entity.person else None
-        if match is None or word.span is None or word.dep not in ("nsubj", "ROOT", "nsubjpass", "attr"):
-            return

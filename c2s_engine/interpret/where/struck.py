@@ -34,13 +34,6 @@ PUSHES = language.words("pushes")
 IN_ORDER = re.compile(r"\bin (?:that|this|the same|numerical|the following) order\b")
 
 
-def pushed(clauses: Clauses) -> None:
-    """Who is pushed into another hits that one: "struck V2, which was pushed into V3"."""
-    for event in list(clauses.events):
-        if event.act != "collide" or not event.passive or clauses._lemma(clauses.words[event.word]) not in PUSHES:
-            continue
-
-
 def merged_into(clauses: Clauses) -> None:
     """Who merges or drifts into another changes lanes or drifts first: "merged right into V1"."""
     for event in [e for e in clauses.events if e.act == "collide" and e.done and not e.passive]:
@@ -65,7 +58,6 @@ def came_out_into(clauses: Clauses) -> None:
 
 def struck_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> None:
     """Fill the places that collisions tell; what is said stays."""
-    _in_order(cast, of)
     for hit in clauses.events:
         if hit.act != "collide" or not hit.done or hit.patient is None:
             continue
@@ -124,9 +116,3 @@ def _thing(hit: Event, clauses: Clauses, where: Where) -> None:
     if where.lane in (None, "roadside", "sidewalk") and (leaves or fixed):
         where.lane = where.lane or "roadside"
         where.side = next((s for e in reversed(leaves) if (s := side(e))), None) or where.side
-
-
-def _in_order(cast: Cast, of: dict[Entity, Where]) -> None:
-    """ "Vehicles 1, 2 and 3 were in one lane, in that order": each is behind the one before it."""
-    if not IN_ORDER.search(" ".join(w.norm for w in cast.words)):
-        return

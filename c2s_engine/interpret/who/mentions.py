@@ -177,7 +177,6 @@ class Cast(Labels):
             return self.me
         if span.kind == "ego":
             self._ego_type(word)
-            self._copula(word)
             return self.ego
         if span.kind == "label":
             return self._labelled(word)

@@ -144,13 +144,8 @@ class Nouns(Attached, NotThere, Counted):
                     entity.type = kind
                     entity.roles |= roles
                     return entity
-        first_told = None if not other and ordinal is None else None
         titled = self._titled(word, kind) if not other and ordinal is None and count == 1 else None
-        titled = titled or (None if not other and ordinal is None and count == 1 else None)
-        new = {"a", "an"} & {previous, *before} and not other and ordinal is None and count == 1
-        if new and titled is None and first_told is None:
-            titled = None
-        if (titled := titled or first_told) is not None:
+        if titled is not None:
             return self._retyped(titled, kind, roles, noun)
         if noun == "road works" or kind in ZONES:
             for entity in self.entities:

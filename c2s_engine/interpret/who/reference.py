@@ -11,8 +11,6 @@ from c2s_engine.interpret.who.owned import Owned
 
 ANYBODY = language.words("anybody")
 """Nouns of no type by which ego may be meant, too: not "the target", "the attacker"."""
-DRIVES_IT = frozenset(("you", "your", "he", "she", "his", "her"))
-"""Words for ego that mean who is at the wheel."""
 COLOURS = language.words("colours")
 BOUND = language.words("bound")
 """Which way one drives, by which it is told from another."""
@@ -65,9 +63,6 @@ class Reference(Owned):
             if same:
                 several = [e for e in same if e.count > 1] if plural else []
                 return (several or same)[-1]  # "one of the parked cars": of the group, not of the one
-            there = None if definite and count == 1 else None
-            if there is not None:
-                return there
             if roles == {"following"} and definite and count == 1:
                 followers = [e for e in candidates if "following" in self._hints(e)]
                 if followers:
@@ -96,8 +91,7 @@ class Reference(Owned):
             if not generic and (len(candidates) != 1 or not plain):
                 return None
         if bare and not roles and self._distinguished(word):
-            there = None if count == 1 else None  # "car in front stops. Car in front moves"
-            return there or (None if count == 1 else None)
+            return None  # "car in front stops. Car in front moves"
         if bare and not roles:
             called = (e for e in reversed(candidates) if e.noun == noun or e.noun.endswith(f" {noun}"))
             same = next(called, None)
@@ -111,14 +105,9 @@ class Reference(Owned):
             return None if not single else single[-1]
         if ordinal is not None and 0 < len(candidates) <= ordinal and not self.ego_named and count == 1:
             return None  # "the lead vehicle stopped. The second vehicle ..."
-        led = None if noun == "vehicle" and count == 1 else None
-        if led is not None:
-            return led  # "a van is ahead of ego. The vehicle ahead brakes"
         alike = kind == "rider" or any(e.noun == noun or e.type == kind for e in candidates)
-        if self._distinguished(word) and not alike:
+        if self._distinguished(word) and (not alike or kind in ("vehicle", "car")):
             return None
-        if self._distinguished(word) and kind in ("vehicle", "car"):
-            return None if candidates else None
         if count > 1:
             many = [e for e in candidates if e.count > 1 and "group" not in e.roles]
             counted = any(w.norm in language.table("actors")["counts"] for w in self.words[word.i - 2 : word.i])

@@ -92,10 +92,9 @@ def set_back(structure: Structure, cid: str, plan: Plan) -> float:
     if isinstance(beside, ObjectSpec) and is_static(spec) and not is_walker(spec.type) and _pulls_out(beside):
         room = (WIDTH[beside.type] + WIDTH.get(spec.type, 1.0)) / 2 + CLEAR
         return round(max(outwards(beside) + room - outwards(spec), 0.0), 1)
-    first = spec.phases[0] if isinstance(spec, ObjectSpec) and spec.phases else None
-    if first is None or first.trigger is None or not is_walker(spec.type) or not crosses(spec):  # type: ignore
+    first = spec.phases[0] if spec.phases else None
+    if first is None or first.trigger is None or not is_walker(spec.type) or not crosses(spec):
         return 0.0
-    assert isinstance(spec, ObjectSpec)
     t, pace = first.trigger, max(middle(pace_of(spec)), 0.5)
     other = structure[t.of].spec if t.of and t.of in structure else None
     own, far, near = _to_middle(structure, spec, plan), SET_BACK, 0.0

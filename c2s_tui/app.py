@@ -4,6 +4,7 @@ import asyncio
 import os
 import signal
 import sys
+import threading
 from collections.abc import Iterable
 from contextlib import suppress
 from importlib import import_module
@@ -47,6 +48,7 @@ class C2SApp(App[None]):
         self.backend, self.session_name, self.file = backend, session, file
         self.typed_early: list[str] = []
         self.workbench: Workbench | None = None
+        self._going = False  # the line was dropped
         for theme in themes():
             self.register_theme(theme)
         wanted = self.prefs.theme if self.prefs.theme in self.available_themes else DEFAULT
@@ -96,9 +98,16 @@ class C2SApp(App[None]):
     def _dropped(self, *_: object) -> None:
         """The line was dropped (SIGHUP) or the process is told to end: save and go, also where nothing can be saved.
 
-        The event loop may hang in a write to the terminal that is gone, so this does not wait for its turn.
+        The event loop may hang in a write to the terminal that is gone, so this does not wait for its turn. It saves
+        from a thread of its own: the signal may come while this one holds the lock of the drafts, and comes twice where
+        the shell and the terminal both tell it.
         """
-        end_soon()
+        if not self._going:
+            self._going = True
+            end_soon()
+            threading.Thread(target=self._save_and_go, name="dropped").start()
+
+    def _save_and_go(self) -> None:
         try:
             if self.workbench is not None:
                 self.workbench.drafts.save(now=True)

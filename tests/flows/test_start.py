@@ -1,7 +1,9 @@
 """Beginning, choosing, helping, looks, leaving."""
 
+import signal
 from pathlib import Path
 
+import pytest
 from scripted_engine import CUT_IN, Script
 
 from c2s_engine.session.errors import SessionError
@@ -179,6 +181,21 @@ async def test_what_was_typed_comes_back(stage):
         assert CUT_IN in stage.said
         came = stage.said[stage.said.index(CUT_IN) :]
         assert any(line.startswith("Added O1; ") and "3 of 3 requirements met" in line for line in came)
+
+
+@pytest.mark.parametrize("times", [1, 2])
+async def test_a_line_that_drops_while_a_draft_is_being_written_loses_nothing(stage, times, monkeypatch):
+    """The signal comes on the thread that holds the lock of the drafts, and may come twice."""
+    monkeypatch.setattr("c2s_tui.app.end_soon", lambda: None)  # it would end the tests
+    async with stage.described() as pilot:
+        stage.bench.chat.entry.put("half a thought")
+        await pilot.pause()
+        session = stage.bench.session
+        with session._drafts._writing:
+            for _ in range(times):
+                signal.raise_signal(signal.SIGHUP)
+        await stage.until(pilot, lambda: stage.app._exit)
+    assert session.draft("chat") == "half a thought"
 
 
 async def test_a_text_whose_reading_failed_comes_back(stage):

@@ -86,7 +86,7 @@ def terminal(tmp_path: Path) -> Iterator[Terminal]:
 def draft(terminal: Terminal, name: str) -> str:
     """What lies in the draft files of the only session."""
     files = list((terminal.home / "data").rglob("drafts/*"))
-    return "\n".join(f.read_text() for f in files if name in f.name)
+    return "\n".join(f.read_text() for f in files if f.name == f"{name}.swap")
 
 
 def test_describe_change_and_save_a_program_that_compiles(terminal):

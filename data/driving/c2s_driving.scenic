@@ -371,9 +371,10 @@ def ring_lane(ego_way):
 
 def _beside(edge, lane, along, right):
     """The point `right` m to the right (below 0: to the left) of a line along the road, such as the edge of its lanes,
-    next to where one is that is `along` m along a lane."""
-    spot = lane.centerline.pointAlongBy(along)
-    return edge.project(spot).offsetRotated(network.roadDirection[spot], Vector(right, 0))
+    next to where one is that is `along` m along a lane, or beyond its end: a crosswalk may lie there."""
+    beyond = max(0, along - lane.centerline.length)
+    spot = lane.centerline.pointAlongBy(along - beyond)
+    return edge.project(spot).offsetRotated(network.roadDirection[spot], Vector(right, beyond))
 
 def _heading_at(lane, along):
     """The direction of the road `along` m along a lane."""

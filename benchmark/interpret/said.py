@@ -6,12 +6,12 @@ from collections.abc import Callable
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
+from c2s_engine.structure.vocabulary import MOTOR, ON_FOOT, VEHICLES
 
 TYPES = {
-    "police_car": {"car"}, "ambulance": {"van", "truck"}, "fire_truck": {"truck"}, "child": {"pedestrian"},
+    "police_car": {"car"}, "ambulance": {"van", "truck"}, "fire_truck": {"truck"}, "pickup": {"truck", "car"}, "child": {"pedestrian"},
 }  # fmt: skip
-MOTOR = {"car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle"}
-MOVERS = MOTOR | {"bicycle", "pedestrian", "child", "animal"}
+MOVERS = {*VEHICLES, *ON_FOOT}
 
 
 def types_of(kind: str) -> set[str]:

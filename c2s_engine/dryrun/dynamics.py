@@ -32,6 +32,7 @@ COAST = 0.01
 CLASSES = {
     "car": VehicleClass(6.0, 100.0, 8.5, 0.00026),
     "van": VehicleClass(4.5, 65.0, 8.0, 0.00035),
+    "pickup": VehicleClass(4.5, 80.0, 8.5, 0.00035),
     "truck": VehicleClass(3.0, 32.0, 7.0, 0.0003),
     "bus": VehicleClass(2.5, 28.0, 6.5, 0.0003, steering=0.75),
     "motorcycle": VehicleClass(6.5, 110.0, 8.0, 0.0006, rolling=0.1, steering=0.55),

@@ -153,6 +153,10 @@ def _of_program(filename: str) -> bool:
         and "/lib/python" not in filename and "c2s_engine" not in filename  # fmt: skip
 
 
+PICKUPS = ("vehicle.tesla.cybertruck",)
+"""Among Scenic's trucks, and no heavy vehicles."""
+
+
 @cache
 def blueprint_classes() -> dict[str, str]:
     """The class of every blueprint in Scenic's table: vehicles by their class, everything else a prop."""
@@ -161,6 +165,7 @@ def blueprint_classes() -> dict[str, str]:
         kind = category.removesuffix("Models")
         kind = kind if kind in ("car", "van", "truck", "bus", "motorcycle", "bicycle", "walker") else "prop"
         found.update(dict.fromkeys(members, kind))
+    found.update(dict.fromkeys(PICKUPS, "pickup"))
     return found
 
 

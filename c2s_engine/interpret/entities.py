@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass, field
 
-VEHICLES = frozenset(
-    ("vehicle", "car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle")
-)
+from c2s_engine.structure import vocabulary
+
+VEHICLES = frozenset(("vehicle", *vocabulary.VEHICLES))
 MOTOR = VEHICLES - {"bicycle"}
-URGENT = frozenset(("ambulance", "police_car", "fire_truck"))
-PERSONS = frozenset(("pedestrian", "child", "animal"))
+URGENT = vocabulary.WITH_SIREN
+PERSONS = vocabulary.ON_FOOT
 MOVERS = VEHICLES | PERSONS
 ZONES = frozenset(("construction_zone", "lane_closure"))
 DEFINITE = frozenset(("the", "this", "that", "its", "said", "these", "those", "both", "their", "his", "her"))
@@ -63,7 +63,9 @@ def fits(entity: Entity, kind: str) -> bool:
     if kind == "vehicle":
         return entity.type in VEHICLES
     if kind == "car":
-        return entity.type == "vehicle" or (entity.type in ("police_car",))
+        return entity.type in ("vehicle", "police_car")
+    if {kind, entity.type} == {"truck", "pickup"}:
+        return True
     if kind == "rider":
         return entity.type in ("bicycle", "motorcycle")
     if entity.type == "vehicle":

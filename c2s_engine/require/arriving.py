@@ -10,11 +10,12 @@ from c2s_engine.require.geometry import HORIZON, lead
 from c2s_engine.require.outcome import struck as struck_pairs
 from c2s_engine.require.results import between, scored, span, unknown, words
 from c2s_engine.require.scene import Scene, bounds
-from c2s_engine.require.starts import OFF_LANES, VEHICLES
+from c2s_engine.require.starts import OFF_LANES
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.vocabulary import FOUR_WHEELED
 
 BESIDE = (*OFF_LANES, "intersection_exit")
 """Who comes from there comes into ego's way, and by no way that meets it."""
@@ -41,7 +42,7 @@ def _arriving(scene: Scene, actor: str, spec: ObjectSpec) -> Iterator[Requiremen
     if place.position in BESIDE:
         if any(p.action == "cross_road" and p.abandoned for p in spec.phases):
             return  # it stays beside ego's way
-        where = "ego's way" if spec.type in VEHICLES else "the middle of ego's way"
+        where = "ego's way" if spec.type in FOUR_WHEELED else "the middle of ego's way"
         check, text = "arrives", f"{name} is in {where} {after}'s front, were neither to react."
         del values["other"]
     elif place.position == "oncoming_lane" and place.of != EGO:
@@ -61,7 +62,7 @@ def arrives(requirement: Requirement, evidence: Evidence) -> Result:
         return unknown(requirement, said, "not reached: one of the two is not there")
     aside, along = one.of_course("ego_aside"), one.of_course("ego_along")
     within, reaches = IN_MIDDLE, 0.0
-    if one.kind in VEHICLES:  # as soon as its body is in ego's way
+    if one.kind in FOUR_WHEELED:  # as soon as its body is in ego's way
         turn = one.heading[:1] - ego.heading[0]
         within = float(ego.size[1] + np.abs(np.sin(turn[0])) * one.size[0] + np.abs(np.cos(turn[0])) * one.size[1]) / 2
         reaches = 0.5 * float(np.abs(np.cos(turn[0])) * one.size[0])

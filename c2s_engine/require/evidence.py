@@ -89,7 +89,7 @@ class Motion:
     def kind(self) -> str:
         """Its class in the table of bounds."""
         types = self.facts.types
-        for name in ("pedestrian", "animal", "bicycle", "motorcycle", "truck", "bus", "van", "car"):
+        for name in ("pedestrian", "animal", "bicycle", "motorcycle", "pickup", "truck", "bus", "van", "car"):
             if name in types:
                 return name
         return "obstacle"

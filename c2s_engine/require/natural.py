@@ -12,9 +12,9 @@ from c2s_engine.require.scene import Scene, bounds, kmh
 from c2s_engine.structure.facts import EGO, component_of
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+from c2s_engine.structure.vocabulary import ON_FOOT, VEHICLES
 
-ON_FOOT = ("pedestrian", "child", "animal")
-MOVING = (*ON_FOOT, "car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle")
+MOVING = (*ON_FOOT, *VEHICLES)
 CHANGES = ("accelerate", "brake", "stop", "wait", "start", "yield", "follow", "overtake", "stationary", "enter_road",
            "cut_in", "merge", "u_turn", "reverse", "cut_out", "leave_road", "lose_control", "cross_road")  # fmt: skip
 """Actions that are, or bring with them, a change of speed."""

@@ -10,8 +10,8 @@ from c2s_engine.require.results import decided, scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.requirements import Requirement, Result
+from c2s_engine.structure.vocabulary import VEHICLES
 
-VEHICLES = ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle")
 STANDS = ("stationary", "stop", "wait", "yield", "start", "reverse", "enter_road", "brake", "leave_road")
 ACROSS = ("cross_road",)
 """Who goes across the road is on no side of it."""

@@ -11,6 +11,7 @@ from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import ObjectSpec, Placement
+from c2s_engine.structure.vocabulary import FOUR_WHEELED
 
 LANES = {
     "ahead": ("same",), "behind": ("same",), "left_lane": ("left",), "right_lane": ("right",),
@@ -29,7 +30,6 @@ RIDERS = ("bicycle", "motorcycle")
 """Who is beside another in its lane or at its edge, too."""
 NEXT_LANES = ("left_lane", "right_lane")
 OFF_LANES = ("roadside", "sidewalk", "parked")
-VEHICLES = ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck")
 ACROSS = 0.7
 """The sine of the angle to ego's way from which one looks across it."""
 
@@ -100,7 +100,7 @@ def _at_door(scene: Scene, spec: ObjectSpec) -> bool:
     """Whether somebody on foot steps out of a vehicle that stands beside the road, onto the side of the traffic."""
     place, other = spec.placement, scene.objects.get(spec.placement.of)
     steps_out = place.along == "abreast" and any(p.action == "enter_road" for p in spec.phases)
-    vehicle = other is not None and other.type in VEHICLES and other.placement.position in OFF_LANES
+    vehicle = other is not None and other.type in FOUR_WHEELED and other.placement.position in OFF_LANES
     return vehicle and spec.type in ("pedestrian", "child") and (place.position == "beside" or steps_out)
 
 

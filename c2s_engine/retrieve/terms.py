@@ -13,9 +13,8 @@ TYPES, POSITIONS = set(get_args(v.ObjectType)), set(get_args(v.Position))
 PLACES, CONDITIONS = set(get_args(v.PlaceKind)), set(get_args(v.ConditionKind))
 DETAILS = ("manoeuvre", "control", "ego_lane")
 _RIDERS = {"bicycle"}
-_VEHICLES = set(get_args(v.VehicleType)) - _RIDERS
-_PERSONS = {"pedestrian", "child", "animal"}
-_GROUPS = (_VEHICLES, _RIDERS, _PERSONS, TYPES - _VEHICLES - _RIDERS - _PERSONS)
+_PERSONS = v.ON_FOOT
+_GROUPS: tuple[set[str], ...] = (set(v.MOTOR), _RIDERS, set(_PERSONS), TYPES - set(v.VEHICLES) - _PERSONS)
 _ALIKE = {"road": {"straight"}, "straight": {"road"}}
 """Kinds of place that do for each other."""
 _STANDING = {"parked", "roadside", "partly_in_lane"}

@@ -3,11 +3,18 @@
 A test holds that both list the same names; schema, prompts and documentation take the meanings from there.
 """
 
-from typing import Literal
+from typing import Literal, get_args
 
-VehicleType = Literal["car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle"]
+VehicleType = Literal[
+    "car", "truck", "pickup", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle"
+]
+VEHICLES: tuple[VehicleType, ...] = get_args(VehicleType)
+MOTOR: tuple[VehicleType, ...] = tuple(v for v in VEHICLES if v != "bicycle")
+FOUR_WHEELED: tuple[VehicleType, ...] = tuple(v for v in MOTOR if v != "motorcycle")
+WITH_SIREN: frozenset[VehicleType] = frozenset(("police_car", "ambulance", "fire_truck"))
+ON_FOOT = frozenset(("pedestrian", "child", "animal"))
 ObjectType = Literal[
-    "car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle",
+    VehicleType,
     "pedestrian", "child", "animal",
     "cone", "barrier", "debris", "warning_sign", "stop_sign", "yield_sign", "speed_sign",
     "construction_zone", "lane_closure",

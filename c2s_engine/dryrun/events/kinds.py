@@ -6,13 +6,14 @@ TYPES = {
     "car": ("car", "vehicle"),
     "van": ("van", "vehicle"),
     "truck": ("truck", "vehicle"),
+    "pickup": ("pickup", "truck", "vehicle"),
     "bus": ("bus", "vehicle"),
     "motorcycle": ("motorcycle", "vehicle", "vru"),
     "bicycle": ("bicycle", "vru"),
     "walker": ("pedestrian", "vru"),
     "prop": ("obstacle",),
 }
-DRIVEN = frozenset({"car", "van", "truck", "bus", "motorcycle", "bicycle"})
+DRIVEN = frozenset({"car", "van", "truck", "pickup", "bus", "motorcycle", "bicycle"})
 RIDDEN = frozenset({"motorcycle", "bicycle"})
 PARTS = {
     "cones": ("constructioncone", "trafficcone"),

@@ -16,9 +16,6 @@ Found = tuple[list[Edit], str]
 Form = Callable[[str, Structure], Found | None]
 
 
-VEHICLES = ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle")
-
-
 ALREADY = "that is so already"
 """What is said of a change that leaves S as it was, with what it would have done behind it."""
 

@@ -5,7 +5,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.chosen import ORDINALS
-from c2s_engine.interpret.changes.forms import ALREADY, VEHICLES, Found, name_of
+from c2s_engine.interpret.changes.forms import ALREADY, Found, name_of
 from c2s_engine.interpret.changes.gone import gone
 from c2s_engine.interpret.changes.how_many import count_of
 from c2s_engine.interpret.changes.meant import is_there
@@ -15,6 +15,7 @@ from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, SetField, SetSpec, apply
 from c2s_engine.structure.specs import ObjectSpec, Phase
+from c2s_engine.structure.vocabulary import VEHICLES
 
 
 def remove(clause: str, structure: Structure) -> Found | None:

@@ -9,16 +9,16 @@ from c2s_engine.interpret.changes.chosen import chosen
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.specs import ObjectSpec
-from c2s_engine.structure.vocabulary import Action, ObjectType
+from c2s_engine.structure.vocabulary import MOTOR, Action, ObjectType
 
 FAMILY = {
-    "vehicle": ("car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle"),
+    "vehicle": MOTOR,
     "rider": ("bicycle", "motorcycle"),
     "pedestrian": ("pedestrian", "child"),
     "obstacle": ("obstacle", "box", "debris", "container", "barrel"),
     "car": ("car", "police_car"),
     "child": ("child", "pedestrian"),
-    "truck": ("truck", "fire_truck"),
+    "truck": ("truck", "pickup", "fire_truck"),
 }
 
 

@@ -3,8 +3,8 @@
 import re
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.entities import MOVERS, PERSONS, URGENT, Entity
 from c2s_engine.interpret.scene import Scene
-from c2s_engine.interpret.who.mentions import PERSONS, Entity
 from c2s_engine.structure.components import Assumption
 from c2s_engine.structure.specs import EgoSpec, Placement
 
@@ -33,19 +33,7 @@ def pace_of(
         or "stationary" in entity.roles
         and first in (None, "stationary")
         or placement.position in ("parked",)
-        or kind
-        not in (
-            "car",
-            "truck",
-            "van",
-            "bus",
-            "police_car",
-            "ambulance",
-            "fire_truck",
-            "motorcycle",
-            "bicycle",
-            *PERSONS,
-        )
+        or kind not in MOVERS
     )
     if said is not None and not (standing and said[1] == 0):
         low, high = said[0], said[1]
@@ -64,21 +52,7 @@ def pace_of(
     if standing:
         return (
             None
-            if kind
-            not in (
-                "car",
-                "truck",
-                "van",
-                "bus",
-                "motorcycle",
-                "police_car",
-                "ambulance",
-                "fire_truck",
-                "bicycle",
-                "pedestrian",
-                "child",
-                "animal",
-            )
+            if kind not in MOVERS
             else 0.0
             if first not in ("cross_road", "enter_road") or kind not in PERSONS
             else None
@@ -140,7 +114,7 @@ FAST = re.compile(
 
 def _hurries(scene: Scene, entity: Entity, kind: str, placement: Placement) -> bool:
     """Whether it is said to be fast, or is an emergency vehicle that comes from behind."""
-    if placement.position == "behind" and kind in ("police_car", "ambulance", "fire_truck"):
+    if placement.position == "behind" and kind in URGENT:
         return True
     if any(e.act == "follow" for e in scene.events(entity)):
         return False

@@ -8,12 +8,11 @@ from typing import Any
 import yaml
 
 from c2s_engine import paths
+from c2s_engine.structure.vocabulary import ON_FOOT, VEHICLES
 
-PERSONS = {"pedestrian", "child", "animal"}
+PERSONS = ON_FOOT
 RIDERS = {"bicycle"}
-VEHICLES = {
-    "car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle", "vehicle",
-}  # fmt: skip
+DRIVERS = {*VEHICLES, "vehicle"}
 
 
 @cache
@@ -42,7 +41,7 @@ def lines(section: str, names: Iterable[str] | None = None) -> str:
 def actions_for(object_type: str) -> list[str]:
     """The actions that an object of that type can take: none for things."""
     groups = {"all"}
-    if object_type in VEHICLES:
+    if object_type in DRIVERS:
         groups.add("vehicle")
     if object_type in PERSONS | RIDERS:
         groups.add("vru")
@@ -53,7 +52,7 @@ def actions_for(object_type: str) -> list[str]:
 
 def is_thing(object_type: str) -> bool:
     """Whether it is neither a vehicle nor alive."""
-    return object_type not in VEHICLES | PERSONS
+    return object_type not in DRIVERS | PERSONS
 
 
 def all_actions() -> list[str]:

@@ -8,6 +8,7 @@ from c2s_engine import driving
 from c2s_engine.paths import shipped
 from c2s_engine.structure.quantity import high
 from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.vocabulary import ON_FOOT, VEHICLES
 
 _TABLES: dict[str, Any] = yaml.safe_load(shipped("writer.yaml").read_text())
 
@@ -54,17 +55,14 @@ TURN = {"turn_left": "LEFT_TURN", "turn_right": "RIGHT_TURN", "go_straight": "ST
 BEARING = {"left": "90 deg", "right": "-90 deg", "u_turn": "180 deg"}
 """Where ego leaves a roundabout, to the left of where it came from."""
 
-_VEHICLES = {"car", "truck", "van", "bus", "police_car", "ambulance", "fire_truck", "motorcycle", "bicycle"}
-_WALKERS = {"pedestrian", "child", "animal"}
-
 
 def is_vehicle(kind: str) -> bool:
     """Whether it drives or rides (bicycles included)."""
-    return kind in _VEHICLES
+    return kind in VEHICLES
 
 
 def is_walker(kind: str) -> bool:
-    return kind in _WALKERS
+    return kind in ON_FOOT
 
 
 def is_static(spec: ObjectSpec) -> bool:

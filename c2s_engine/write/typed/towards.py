@@ -1,6 +1,7 @@
 """How a driver lets another one pass."""
 
 from c2s_engine.structure.specs import ObjectSpec, Phase
+from c2s_engine.structure.vocabulary import WITH_SIREN
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.collisions import Step
@@ -8,7 +9,7 @@ from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.order import goes_after, turns_left
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, TURN, WORKS, is_static, is_vehicle, is_walker
 from c2s_engine.write.typed.threats import every, every_passed, standing
-from c2s_engine.write.typed.usual import SETS_OUT, SIREN, walks_first
+from c2s_engine.write.typed.usual import SETS_OUT, walks_first
 
 SETS_OFF = {*TURN, "start"}
 HOLDS = {"stop", "wait"}
@@ -162,7 +163,7 @@ def _until_forced(c: Course, p: Phase, other: str) -> list[Step]:
 def _makes_way(c: Course, spec: ObjectSpec, other: str) -> list[Step]:
     """Aside for one that comes from behind, until it is ahead: at a stand for a siren."""
     past, first = f"until lead_on({other}, self) > self.length + {other}.length", c.actor.spec.phases[0]
-    pace = "0" if spec.type in SIREN else scope.number(0.5 * c.actor.value)
+    pace = "0" if spec.type in WITH_SIREN else scope.number(0.5 * c.actor.value)
     if first.action == "lane_change":  # it is aside
         verge = LANE_WIDTH * (1 if first.side == "left" else -1) if len(c.actor.plan.offsets) == 1 else 0
         return [([c.drive(pace, 2.5, scope.number(verge) if verge else "")], past)]

@@ -74,7 +74,7 @@ def _at_pace(structure: Structure) -> Structure:
             continue
         if spec.placement.position == "oncoming_lane" and getattr(by, "pace", None) is not None:
             continue  # a word says how one drives, not how all do
-        if spec.placement.position == "ahead" and spec.type not in ("car", "van", "motorcycle", "police_car"):
+        if spec.placement.position == "ahead" and spec.type not in ("car", "pickup", "van", "motorcycle", "police_car"):
             continue  # slower ones are caught up with
         structure = structure.with_spec(component.id, speed=_pace(spec, middle(speed)))
     return structure

@@ -2,6 +2,7 @@
 
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
+from c2s_engine.structure.vocabulary import WITH_SIREN
 from c2s_engine.write.typed.tables import (
     DEFAULT_SPEED,
     HEIGHT,
@@ -30,7 +31,6 @@ TO_PULL_OUT = 3.0
 """s that it takes to get out from behind another."""
 TO_COME_UP = 5.0
 """s before one with a siren is there, so that ego has the time to make way."""
-SIREN = {"ambulance", "fire_truck", "police_car"}
 LONGEST_VIEW = 320.0
 """m ahead of ego up to which others are placed of themselves."""
 
@@ -164,7 +164,7 @@ def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
             12.0,
             ROOM_BEHIND + 1.5 * ego_speed if first == "follow" else 1.2 * ego_speed,  # as it then keeps it
             own**2 / 8 if brakes else 0.0,
-            (TO_COME_UP if o.type in SIREN else TO_PULL_OUT) * closing + ROOM_BEHIND if pulls_out else 0.0,
+            (TO_COME_UP if o.type in WITH_SIREN else TO_PULL_OUT) * closing + ROOM_BEHIND if pulls_out else 0.0,
         )
     if position in ("left_lane", "right_lane") and any(p.action == "cut_in" for p in o.phases) and o.speed != 0:
         return 10.0

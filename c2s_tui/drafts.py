@@ -6,35 +6,43 @@ from typing import TYPE_CHECKING
 from c2s_tui.part import Part, background
 
 if TYPE_CHECKING:
+    from c2s_engine.session.session import Session
     from c2s_tui.workbench import Workbench
 
 
 class Drafts(Part):
-    """Drafts of the panes in which one types."""
+    """Drafts of the panes in which one types. What is on the disk is brought to what is in the panes: a draft is gone as
+    soon as it was sent or applied."""
 
     def __init__(self, bench: "Workbench"):
         super().__init__(bench)
-        self.typed: set[str] = set()  # the panes in which was typed since the last draft
+        self.kept: dict[str, str] = {}  # what is on the disk
         self.recovered = False  # the session's drafts are in the panes again
+
+    def opened(self, session: "Session") -> None:
+        """From now on the drafts are those of a session that was opened; that of the code is not in its pane yet."""
+        self.kept, self.recovered = {pane: session.draft(pane) for pane in ("chat", "code")}, False
 
     def save(self, now: bool = False) -> None:
         """Swap to disk what was typed and neither sent nor applied; `now`: all of it, before this returns."""
-        if self.bench.session is None or not (self.typed or now and self.recovered):
+        if self.bench.session is None:
             return
-        texts = {"chat": self.chat.entry.text, "code": self.bench.code.text if self.bench.code.edited else ""}
-        typed, self.typed = self.typed, set()
+        texts = {"chat": self.chat.entry.text}
+        if self.recovered:
+            texts["code"] = self.bench.code.text if self.bench.code.edited else ""
         if now:  # what is being written from a thread at this moment may be older than what is there
-            for pane in texts if self.recovered else typed:
-                self.session.save_draft(pane, texts[pane])
-        else:
-            self._write({pane: texts[pane] for pane in typed})
+            for pane, text in texts.items():
+                self.session.save_draft(pane, text)
+        elif changed := {pane: text for pane, text in texts.items() if text != self.kept[pane]}:
+            self._write(changed)
 
     @background("drafts", exclusive=False)
     async def _write(self, texts: dict[str, str]) -> None:
-        session = self.session
+        session, kept = self.session, self.kept
 
         def write() -> None:
             for pane, text in texts.items():
                 session.save_draft(pane, text)
 
         await asyncio.to_thread(write)
+        kept.update(texts)

@@ -77,6 +77,7 @@ class Turns(Part):
                 else:
                     self.waiting = ()
                 self.bench.show()
+                self.bench.drafts.save()  # what was applied is no draft any more, also after a crash
                 await self.chat.end()
             if finished:
                 await self.summarise(label)

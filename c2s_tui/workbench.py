@@ -16,7 +16,6 @@ from textual.widgets import Tab, Tabs
 from textual.worker import Worker, WorkerState
 
 from c2s_tui import desk as desks
-from c2s_tui.chat.entry import Entry
 from c2s_tui.chat.pane import ChatPane
 from c2s_tui.choices import Choices
 from c2s_tui.code.commands import CodeCommands
@@ -141,7 +140,8 @@ class Workbench(Screen):
 
     def take_session(self, session: "Session") -> None:
         """Lay an opened session on the desk."""
-        self.session, self.drafts.recovered = session, False
+        self.session = session
+        self.drafts.opened(session)
         self.desk = desks.opened(session.structure, session.program)
         self.code.empty()
         self.desk = desks.restored(self.desk, session)
@@ -237,9 +237,4 @@ class Workbench(Screen):
 
     @on(CodeTyped)
     def _code_typed(self) -> None:
-        self.drafts.typed.add("code")
         self.live.soon()
-
-    @on(Entry.Changed)
-    def _entry_changed(self) -> None:
-        self.drafts.typed.add("chat")

@@ -46,6 +46,19 @@ async def test_opened_looked_at_and_saved_is_the_same_file(stage, text):
         assert file.read_bytes() == text.encode() and not stage.bench.code.edited
 
 
+async def test_what_was_applied_is_no_draft_any_more(stage):
+    """Else a crash would bring back an older program as unapplied edits."""
+    async with stage.described() as pilot:
+        stage.write("left of ego by 3.5", "left of ego by 4.0")
+        await pilot.pause()
+        stage.bench.drafts.save()
+        await stage.until(pilot, lambda: "by 4.0" in stage.bench.session.draft("code"))
+        await pilot.press("f4", "f5")
+        await stage.until(pilot, lambda: not stage.busy and not stage.bench.code.edited)
+        await stage.until(pilot, lambda: stage.bench.session.draft("code") == "")
+        assert "by 4.0" in stage.bench.session.program.text
+
+
 async def test_a_file_is_opened_in_a_session_of_its_own(stage):
     async with stage.described() as pilot:
         program, draft = stage.bench.session.program.text, stage.bench.session.name

@@ -88,6 +88,11 @@ class C2SApp(App[None]):
         """None of Textual's own in the palette: quitting, themes and keys are commands of this app."""
         return ()
 
+    @property
+    def failed_by(self) -> Exception | None:
+        """The error that ended the app, where one did."""
+        return self._exception
+
     async def action_quit(self) -> None:
         """Leave; the workbench asks first where work would be lost. A second time it is meant."""
         if self.workbench is None or type(self.screen).__name__ == "Confirm":

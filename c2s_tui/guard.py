@@ -11,6 +11,8 @@ from pathlib import Path
 def guarded(log: Path) -> Iterator[None]:
     """The terminal stays with the app; file descriptors 1 and 2 go to a log file until the end."""
     log.parent.mkdir(parents=True, exist_ok=True)
+    if log.exists() and log.stat().st_size:
+        log.replace(log.with_suffix(".old"))  # what ended the last run is still to be seen
     sys.stdout.flush()
     sys.stderr.flush()
     kept = os.dup(1), os.dup(2)

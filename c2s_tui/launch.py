@@ -17,7 +17,8 @@ def launch(session: str | None = None, file: Path | None = None, painted: Early 
     from c2s_tui.guard import guarded
     from c2s_tui.line import watch
 
-    with guarded(cache_folder() / "app.log"):
+    log = cache_folder() / "app.log"
+    with guarded(log):
         app = C2SApp(session=session, file=file)
         if painted is not None:
             painted.hand_over()
@@ -27,4 +28,10 @@ def launch(session: str | None = None, file: Path | None = None, painted: Early 
             print("c2s: closing", end="\r", flush=True, file=sys.__stdout__)
             asyncio.run(app.backend.close())
             print("\x1b[K", end="", flush=True, file=sys.__stdout__)
+    if app.failed_by is not None:
+        print(
+            f"c2s: the app ended on an internal error: {type(app.failed_by).__name__}: {app.failed_by}. The session is "
+            f"kept: `c2s app` opens it again. Please report it, with {log}.",
+            file=sys.stderr,
+        )
     return app.return_code or 0

@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
 from c2s_engine.structure import layout
-from c2s_engine.structure.components import Component, ComponentId, Structure, Unmet
+from c2s_engine.structure.components import Assumption, Component, ComponentId, Structure, Unmet
 from c2s_engine.structure.specs import AnySpec, ObjectSpec
 
 SPEC_ADAPTER: TypeAdapter[AnySpec] = TypeAdapter(AnySpec)
@@ -34,7 +34,7 @@ class SetSpec(_Edit):
     component: ComponentId
     spec: AnySpec
     description: str | None = None
-    assumed: tuple | None = None
+    assumed: tuple[Assumption, ...] | None = None
     unmet: tuple[Unmet, ...] | None = None
 
 

@@ -1,9 +1,20 @@
 """Edits of S: what they change, what they refuse, and that they touch nothing else."""
 
 import pytest
+from pydantic import TypeAdapter
 
-from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.edits import AddObject, EditError, MoveObject, RemoveObject, SetCode, SetField, SetSpec, apply
+from c2s_engine.structure.components import Assumption, Component, Structure, Unmet
+from c2s_engine.structure.edits import (
+    AddObject,
+    Edit,
+    EditError,
+    MoveObject,
+    RemoveObject,
+    SetCode,
+    SetField,
+    SetSpec,
+    apply,
+)  # fmt: skip
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement
 
@@ -25,6 +36,13 @@ def test_a_phase_can_be_appended_and_removed(structure):
     after = apply(structure, SetField(component="O1", path="phases.0", value={"action": "stop"}))
     assert after["O1"].spec.phases == (Phase(action="stop"),)
     assert apply(after, SetField(component="O1", path="phases.0", value=None))["O1"].spec.phases == ()
+
+
+def test_an_edit_is_the_same_after_it_was_read_in_another_process():
+    assumed = (Assumption(field="speed", value="5 km/h", reason="usual"),)
+    unmet = (Unmet(text="a", reason="b"),)
+    edit: Edit = SetSpec(component="O1", spec=ObjectSpec(name="lead"), assumed=assumed, unmet=unmet)
+    assert TypeAdapter(Edit).validate_json(TypeAdapter(Edit).dump_json(edit)) == edit
 
 
 @pytest.mark.parametrize(

@@ -264,8 +264,10 @@ def in_order(requirement: Requirement, evidence: Evidence) -> Result:
     if first is None or second is None:
         return unknown(requirement, "in this order", "not reached: one of the two was not seen")
     room = bounds()["order"]["room"]["value"]
-    return scored(requirement, (second - first + room) / 1.0, "in this order", f"{first:.1f} s, then {second:.1f} s",
-                  second)  # fmt: skip
+    seen = f"{first:.1f} s, then {second:.1f} s"
+    if first - room <= second < first:
+        seen = f"at about the same time, {first:.1f} s and {second:.1f} s"
+    return scored(requirement, (second - first + room) / 1.0, "in this order", seen, second)
 
 
 def awaited(requirement: Requirement, evidence: Evidence) -> Result:

@@ -76,7 +76,8 @@ def whole(demand: str, before: str, topic: ComponentId | None) -> str:
     if (too := re.match(table["as_well"], demand)) and named:
         head = re.sub(r"\b(?:the|an?|my|our)\s*$", "", before[: named[0].start])
         return f"{head}{too['who']}{before[named[0].end :]}"
-    if (elided := re.match(table["elided"], demand)) and re.search(table["becomes"], before):
+    elided = re.match(table["elided"], demand) if re.search(table["becomes"], before) else None
+    if elided and (scan.names(elided["who"]) or re.fullmatch(r"(?:and )?(?:ego|o\d+)", elided["who"])):
         return f"make {elided['who']} {elided['what']}"
     unit = None if re.search(r"\b(?:distance|gap|headway)\b", demand) else re.search(table["unit"], before)
     return f"{demand} {unit[1]}" if unit and re.search(r"[a-z] \d+$", demand) else demand

@@ -34,6 +34,7 @@ def distance(clause: str, structure: Structure) -> Found | None:
         component = refer(re.sub(r"\bego\b", " ", clause), structure, alone=False)
     if component is None or component.id == "E":
         component = next(iter(structure.objects), None)
+    component = _placed_from(component, _named_too(clause, component, structure)) if component is not None else None
     if component is None:
         return None
     spec = spec_of(component)
@@ -55,6 +56,19 @@ def distance(clause: str, structure: Structure) -> Found | None:
         words = from_to("gap", base, value, "m")
     edit = SetField(component=component.id, path="placement.gap", value=value)
     return [edit], f"{name_of(component)}: {words}"
+
+
+def _named_too(clause: str, component: Component, structure: Structure) -> Component | None:
+    """The other object that a clause names, where it names one."""
+    named = [refer(clause[s.start : s.end], structure, alone=False) for s in scan.names(clause) if s.kind == "actor"]
+    return next((n for n in named if n is not None and n.id not in ("E", component.id)), None)
+
+
+def _placed_from(component: Component, other: Component | None) -> Component | None:
+    """Whose gap a distance between the two is; None where neither is placed by the other: then it is read as a place."""
+    if other is None or spec_of(component).placement.of == other.id:
+        return component
+    return other if spec_of(other).placement.of == component.id else None
 
 
 def is_relative(clause: str) -> bool:

@@ -9,7 +9,7 @@ from c2s_engine.interpret.composing.own_braking import told_braking, told_stop
 from c2s_engine.interpret.composing.passive import RESPONSES, remains_passive
 from c2s_engine.interpret.composing.steps import duration_of, rate_of, target_speed, trigger_of
 from c2s_engine.interpret.composing.tidied import tidy
-from c2s_engine.interpret.roles.ego_others import free_side, in_lane_conflict, last_actor, passed
+from c2s_engine.interpret.roles.ego_others import free_side, in_lane_conflict, last_actor, passed, way_back
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.left_untold import struck_standing
@@ -18,6 +18,7 @@ from c2s_engine.structure.components import Assumption
 from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec
 
 RETURNS = frozenset(("overtake", "oncoming", "swerve"))
+RETURNING = re.compile(r"return|back|own lane|its lane")
 AROUND = frozenset(("overtake", "oncoming", "lane_change", "cut_out", "evade", "swerve", "u_turn"))
 """What ego does to get past what it stopped for."""
 WIDE = re.compile(r"\b(?:berth|clearance|room|space)\b")
@@ -66,13 +67,14 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             elif (
                 act == "lane_change"
                 and any(p.action == "swerve" for p in phases)
-                and re.search(r"return|back|own lane|its lane", event.whole)
+                and RETURNING.search(event.whole)
             ):
                 continue
             elif act != "evade":
                 joined = scene.where(event.patient).lane if event.patient is not None and not towards else None
                 towards = towards or (joined if joined in ("left", "right") else None)
-                phases.append(Phase(action="lane_change", side=towards or free_side(place), trigger=trigger))
+                away = way_back(phases) if RETURNING.search(event.whole) else None
+                phases.append(Phase(action="lane_change", side=towards or away or free_side(place), trigger=trigger))
         elif (
             act == "overtake"
             and event.patient is not None

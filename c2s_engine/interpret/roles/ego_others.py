@@ -1,8 +1,10 @@
 """To whom ego's acts are directed where the clause does not name it; signs and lights that it obeys."""
 
+from collections.abc import Sequence
+
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.who.mentions import Entity
-from c2s_engine.structure.specs import PlaceSpec
+from c2s_engine.structure.specs import Phase, PlaceSpec
 
 
 def passed(scene: Scene, ids: dict[Entity, str]) -> str | None:
@@ -30,6 +32,12 @@ def last_actor(scene: Scene, ids: dict[Entity, str]) -> str | None:
 
 def free_side(place: PlaceSpec) -> str:
     return "right" if place.ego_lane == "leftmost" else "left"
+
+
+def way_back(phases: Sequence[Phase]) -> str | None:
+    """The side on which the lane lies from which the last step to a side went, None where there was none."""
+    gone = next((p.side for p in reversed(phases) if p.side and p.action in ("lane_change", "oncoming", "drift")), None)
+    return {"left": "right", "right": "left"}.get(gone or "")
 
 
 def in_lane_conflict(scene: Scene, place: PlaceSpec) -> bool:

@@ -65,7 +65,7 @@ def _named_too(clause: str, component: Component, structure: Structure) -> Compo
 
 
 def _placed_from(component: Component, other: Component | None) -> Component | None:
-    """Whose gap a distance between the two is; None where neither is placed by the other: then it is read as a place."""
+    """Whose gap a distance between two is; None where neither is placed by the other: then it is read as a place."""
     if other is None or spec_of(component).placement.of == other.id:
         return component
     return other if spec_of(other).placement.of == component.id else None

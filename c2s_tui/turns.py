@@ -38,6 +38,7 @@ class Turns(Part):
         self.waiting: tuple[Edit, ...] = ()  # edits of the turn under way
         self.then = ""  # a command to run when the turn under way is done
         self.said = ""  # the text of the turn under way, where it is one
+        self.count = 0  # turns that have begun
         self.early: list[str] = []  # what was sent before a session was open
 
     @property
@@ -51,15 +52,20 @@ class Turns(Part):
         return {name: value for name, value in chosen.items() if value is not None}
 
     @background("turn")
-    async def turn(self, source: Callable[[], AsyncIterator[Progress]], label: str) -> None:
-        """Run a turn of the session and show its events; cancelling leaves S as it was."""
+    async def turn(
+        self, source: Callable[[], AsyncIterator[Progress]], label: str, edits: Sequence[Edit] = ()
+    ) -> None:
+        """Run a turn of the session and show its events; cancelling leaves S as it was. `edits`: those it makes, where
+        they are known before."""
         async with self.lock:
             self.working, self.since = label, monotonic()
+            self.count += 1
             before, said = self.desk.structure, self.said
             self.desk = desks.begun(self.desk)
             if self.waiting:
                 self.desk = desks.expected(self.desk, self._optimistic(self.waiting))
             self.bench.show()
+            self.bench.code.hand_over(edits)
             finished = False
             try:
                 async with aclosing(self.backend.events(source)) as events:
@@ -77,6 +83,7 @@ class Turns(Part):
                 else:
                     self.waiting = ()
                 self.bench.show()
+                self.bench.code.hand_over(())
                 self.bench.drafts.save()  # what was applied is no draft any more, also after a crash
                 await self.chat.end()
             if finished:
@@ -100,17 +107,18 @@ class Turns(Part):
         """When a description, or a change of S (`upon`), was read, say which of its words make no difference."""
         from c2s_engine.session.no_effect import told
 
-        now = self.desk.structure
+        now, turn, session = self.desk.structure, self.count, self.session
         found: tuple[Unmet, ...]
         try:
             if upon is None:
                 found = await self.backend.ask(lambda _: self.session.without_effect())
             else:
                 found = tuple(await self.backend.ask(lambda engine: engine.without_effect(text, upon)))
+                await asyncio.to_thread(session.keep_idle, text, found)
         except (ValueError, OSError):
             return  # what cannot be read is said by the turn
-        if found and (now if upon else text) == (self.desk.structure if upon else self.desk.structure.text):
-            await self.chat.note(told(found), "note")
+        if found and turn == self.count and now == self.desk.structure:
+            await self.chat.note(told(found, of=text), "note")
 
     async def _take(self, event: Progress) -> None:
         if isinstance(event, StageStarted):
@@ -156,7 +164,7 @@ class Turns(Part):
         options, hand = self.options(), self.bench.code.hand_edit
         self.long = len(text) if len(text) > LONG else 0
         self.waiting, self.said = (), text
-        self.turn(lambda: self._after(hand, self.session.say(text, **options)), "reading")
+        self.turn(lambda: self._after(hand, self.session.say(text, **options)), "reading", hand)
 
     async def wait_to_say(self, text: str) -> None:
         """What is sent while the session is still being opened waits for that."""
@@ -216,7 +224,7 @@ class Turns(Part):
         await self.bench.sheet.close_editor() if self.bench.sheet.editor else None
         self.waiting = together
         options = self.options() | {"map": self.bench.choices.map_of(self._optimistic(together))}
-        self.turn(lambda: self.session.apply(together, **options), "writing")
+        self.turn(lambda: self.session.apply(together, **options), "writing", together)
 
     @background("reach")
     async def reach(self, edit: Edit) -> None:

@@ -85,13 +85,17 @@ def edit(
         session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume, to), options, model, as_json,
                                           contradictions))  # fmt: skip
         if output is not None:
-            from c2s_engine.saving import save
+            from c2s_engine.api import Engine
+            from c2s_engine.config import load_settings
+            from c2s_engine.saving import lacking, save, told_lacking
 
-            written = save(
-                session.program, session.details.get("folder"), output, standalone, session.structure
-            )
+            at_hand = Engine(load_settings()).library.folder_of(session.program.text)
+            folders = [session.details.get("folder"), at_hand, str(program.parent) if program else None]
+            written = save(session.program, folders, output, standalone, session.structure)
             if not as_json:
                 err.print(Text(f"saved {', '.join(map(str, written))}"))
+            if missing := lacking(output):
+                err.print(Text(told_lacking(missing), style="yellow"))
         if not as_json:
             _print(session)
             show.without_effect(done.details.get("without_effect", ()) if done else ())
@@ -279,7 +283,9 @@ async def _without_effect(engine: "Engine", session: "Session", said: str, upon:
     try:
         if session.structure.text not in ("", upon.text):
             return await session.without_effect()
-        return await engine.without_effect(said, upon)
+        found = await engine.without_effect(said, upon)
+        session.keep_idle(said, found)
+        return found
     except (ValueError, OSError):  # what cannot be read is said by the turn
         return ()
 

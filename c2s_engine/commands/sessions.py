@@ -85,11 +85,12 @@ def edit(
         session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume, to), options, model, as_json,
                                           contradictions))  # fmt: skip
         if output is not None:
-            from c2s_engine.api import Engine
             from c2s_engine.config import load_settings
+            from c2s_engine.maps.library import MapLibrary
             from c2s_engine.saving import lacking, save, told_lacking
 
-            at_hand = Engine(load_settings()).library.folder_of(session.program.text)
+            settings = load_settings()
+            at_hand = MapLibrary(settings.map_folders, settings.carla_root).folder_of(session.program.text)
             folders = [session.details.get("folder"), at_hand, str(program.parent) if program else None]
             written = save(session.program, folders, output, standalone, session.structure)
             if not as_json:

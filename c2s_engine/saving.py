@@ -25,10 +25,12 @@ ALIKE = 0.5
 
 
 def save(
-    program: Program, folder: str | None, target: Path, standalone: bool = False, structure: Structure | None = None
+    program: Program, folders: Sequence[str | None], target: Path, standalone: bool = False,
+    structure: Structure | None = None,
 ) -> list[Path]:
     """Write a program, and its map and library beside it (unless they already lie there); the files written.
 
+    `folders`: where its map may lie, the likeliest first; one that is in none of them is told by `lacking`.
     `standalone`: with what it uses of the driving library in it. `structure`: its S, written as NAME.s.json.
 
     Raises OSError; the program's text is written beside and renamed, so that a full disk loses nothing.
@@ -42,8 +44,9 @@ def save(
     finally:
         draft.unlink(missing_ok=True)
     written.append(target)
-    sources = [Path(folder or ".") / name for name in re.findall(r"localPath\('([^']+)'\)", text)]
-    for source in [*sources, *([driving.path()] if driving.used_by(text) else [])]:
+    places = [Path(folder) for folder in folders if folder]
+    found = (next((p / name for p in places if (p / name).is_file()), None) for name in _named(text))
+    for source in [*filter(None, found), *([driving.path()] if driving.used_by(text) else [])]:
         copy = target.parent / source.name
         if (
             source.is_file()
@@ -58,6 +61,21 @@ def save(
         side.write_text(kept + "\n", encoding="utf-8")
         written.append(side)
     return written
+
+
+def lacking(file: Path) -> list[str]:
+    """The files that a saved program names beside it and that are not there."""
+    named = _named(file.read_text(encoding="utf-8"))
+    return [name for name in dict.fromkeys(named) if not (file.parent / name).is_file()]
+
+
+def told_lacking(names: Sequence[str]) -> str:
+    """That they have to be put there."""
+    return f"Put {' and '.join(names)} beside it: the program needs {'them' if names[1:] else 'it'} to run elsewhere."
+
+
+def _named(text: str) -> list[str]:
+    return re.findall(r"localPath\(['\"]([^'\"]+)['\"]\)", text)
 
 
 def beside(file: Path) -> Path:

@@ -2,7 +2,7 @@
 
 import asyncio
 import contextlib
-from collections.abc import AsyncGenerator, AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncGenerator, AsyncIterator, Awaitable, Callable, Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -132,23 +132,21 @@ class Backend:
 
     def folder(self, program: str) -> str | None:
         """The folder in which the map that a program names lies; None where it names none that is known."""
-        library = self.engine.library
-        try:
-            found = library.named_in(program)
-            return str(library.working_copy(found).parent) if found else None
-        except (LookupError, ValueError, OSError):
-            return None
+        return self.engine.library.folder_of(program)
 
     async def check(self, program: str, **options: Any) -> "CheckReport":
         """Check a program where its map is found."""
         folder = await self.thread.do(lambda: self.folder(program))
         return await self.ask(lambda engine: engine.check(program, folder=folder, **options))
 
-    def save(self, program: "Program", folder: str | None, target: Path, structure: "Structure") -> list[Path]:
-        """Write a program, its map and its S beside it; raises OSError."""
-        from c2s_engine.saving import save
+    def save(
+        self, program: "Program", folders: Sequence[str | None], target: Path, structure: "Structure"
+    ) -> tuple[list[Path], list[str]]:
+        """Write a program, its map and its S beside it; the files written, and those that it needs and that are in
+        none of the folders. Raises OSError."""
+        from c2s_engine.saving import lacking, save
 
-        return save(program, folder, target, structure=structure)
+        return save(program, (*folders, self.folder(program.text)), target, structure=structure), lacking(target)
 
     async def close(self) -> None:
         """Close the session, the engine and the thread. A process that is slow to end is not waited for: its pipe is

@@ -11,8 +11,8 @@ if TYPE_CHECKING:
 
 
 class Drafts(Part):
-    """Drafts of the panes in which one types. What is on the disk is brought to what is in the panes: a draft is gone as
-    soon as it was sent or applied."""
+    """Drafts of the panes in which one types. What is on the disk is brought to what is in the panes: a draft is gone
+    as soon as it was sent or applied."""
 
     def __init__(self, bench: "Workbench"):
         super().__init__(bench)

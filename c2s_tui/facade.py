@@ -2,7 +2,6 @@
 
 from collections.abc import AsyncGenerator, Iterable, Sequence
 from contextlib import AbstractAsyncContextManager
-from pathlib import Path
 from typing import Any, Protocol
 
 from c2s_engine.config import Settings
@@ -19,9 +18,7 @@ from c2s_engine.structure.program import Program
 class Maps(Protocol):
     """The maps at hand, so far as the app asks for them."""
 
-    def named_in(self, program: str) -> MapFile | None: ...
-
-    def working_copy(self, map_file: MapFile) -> Path: ...
+    def folder_of(self, program: str) -> str | None: ...
 
 
 class EngineFacade(Turns, Checking, Protocol):

@@ -6,6 +6,7 @@ import shlex
 import subprocess
 import sys
 import tempfile
+from functools import partial
 from itertools import chain, count
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -55,15 +56,21 @@ class Files(Part):
 
     async def write(self, target: Path) -> None:
         """Write the text that the code pane shows, edits that are not applied included."""
+        from c2s_engine.saving import told_lacking
+
         program = self.desk.program.model_copy(update={"text": self.bench.code.text})
         try:
-            written = await asyncio.to_thread(self.backend.save, program, self.desk.folder, target, self.desk.structure)
+            folders = [self.desk.folder, str(self.file.parent) if self.file else None]
+            saved = partial(self.backend.save, program, folders, target, self.desk.structure)
+            written, lacking = await asyncio.to_thread(saved)
         except OSError as error:
             await self.chat.note(f"{target} could not be written: {error.strerror or error}", "error")
             return
         self.file, self.file_seen = target, _stamp(target)
         self.saved_text = program.text
         await self.chat.note(f"Saved {', '.join(p.name for p in written)} in {target.absolute().parent}.")
+        if lacking:
+            await self.chat.note(told_lacking(lacking), "warning")
 
     async def _resolve_change(self, answer: str | None, target: Path) -> None:
         if answer == "over":

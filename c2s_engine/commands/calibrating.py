@@ -57,7 +57,7 @@ async def _work(chosen: list[Manoeuvre], server: Carla | None, map_name: str, ro
         with TemporaryDirectory() as folder:
             for number, manoeuvre in enumerate(chosen, 1):
                 file = Path(folder) / f"{manoeuvre.name}.scenic"
-                save(Program(text=manoeuvre.program(on)), str(on.path.parent), file, standalone=True)
+                save(Program(text=manoeuvre.program(on)), [str(on.path.parent)], file, standalone=True)
                 at = f"{number}/{len(chosen)} {manoeuvre.name}: {manoeuvre.about}"
                 err.print(Text(at, style="dim"), soft_wrap=True)
                 rows += await compared(manoeuvre, file, sides)

@@ -70,7 +70,7 @@ def generate(
         with sentences(as_json):
             from c2s_engine.saving import save
 
-            written = save(done.program, done.details.get("folder"), output, standalone, done.structure)
+            written = save(done.program, [done.details.get("folder")], output, standalone, done.structure)
             if not as_json:
                 err.print(Text(f"saved {', '.join(str(p) for p in written)}"))
     if as_json:

@@ -85,13 +85,18 @@ def edit(
         session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume, to), options, model, as_json,
                                           contradictions))  # fmt: skip
         if output is not None:
-            from c2s_engine.saving import save
+            from c2s_engine.config import load_settings
+            from c2s_engine.maps.library import MapLibrary
+            from c2s_engine.saving import lacking, save, told_lacking
 
-            written = save(
-                session.program, session.details.get("folder"), output, standalone, session.structure
-            )
+            settings = load_settings()
+            at_hand = MapLibrary(settings.map_folders, settings.carla_root).folder_of(session.program.text)
+            folders = [session.details.get("folder"), at_hand, str(program.parent) if program else None]
+            written = save(session.program, folders, output, standalone, session.structure)
             if not as_json:
                 err.print(Text(f"saved {', '.join(map(str, written))}"))
+            if missing := lacking(output):
+                err.print(Text(told_lacking(missing), style="yellow"))
         if not as_json:
             _print(session)
             show.without_effect(done.details.get("without_effect", ()) if done else ())

@@ -93,6 +93,14 @@ class MapLibrary:
         used = max(copies, key=lambda path: path.stat().st_mtime, default=None)
         return self._map_file(said[1], used) if used is not None else None
 
+    def folder_of(self, program: str) -> str | None:
+        """The folder in which the map that a program names lies; None where it names none that is known."""
+        try:
+            found = self.named_in(program)
+            return str(self.working_copy(found).parent) if found else None
+        except (LookupError, ValueError, OSError):
+            return None
+
     def _at_path(self, text: str, files: dict[str, Path]) -> MapFile:
         path = Path(text).expanduser()
         if path.is_dir():

@@ -42,7 +42,7 @@ def scenario(done: Finished, output: str | None) -> dict[str, Any]:
         from c2s_engine.saving import save
 
         saved = [str(p) for p in save(
-            done.program, done.details.get("folder"), Path(output), structure=done.structure
+            done.program, [done.details.get("folder")], Path(output), structure=done.structure
         )]  # fmt: skip
     return {
         "ok": done.ok,

@@ -24,7 +24,7 @@ ego = new Car on lane.centerline, with behavior Onward()
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    save(Program(text=PROGRAM), str(paths.shipped("maps")), tmp_path / "program.scenic")
+    save(Program(text=PROGRAM), [str(paths.shipped("maps"))], tmp_path / "program.scenic")
     return tmp_path
 
 

@@ -161,7 +161,7 @@ class ScriptedEngine:
     seen: bool = True
     collides: bool = False
     idle: tuple[Unmet, ...] = ()
-    library: Any = field(default_factory=lambda: SimpleNamespace(named_in=lambda program: None))
+    library: Any = field(default_factory=lambda: SimpleNamespace(folder_of=lambda program: None))
     settings: Any = field(default_factory=lambda: SimpleNamespace(model=None))
     model_list: list[dict[str, Any]] | Exception = field(default_factory=list)
 

@@ -234,7 +234,7 @@ async def test_files_are_saved_and_changes_outside_noticed(stage, tmp_path: Path
         await stage.say(pilot, f"/save {target}", wait=False)
         await stage.until(pilot, lambda: target.exists() and any("Saved" in line for line in stage.said))
         assert target.read_text() == stage.bench.desk.program.text
-        assert stage.said[-1] == f"Saved cut.scenic, cut.s.json in {tmp_path}."
+        assert stage.said[-2] == f"Saved cut.scenic, cut.s.json in {tmp_path}."
         target.write_text("ego = new Car\n")
         stage.bench.files.file_seen -= 1  # as if the clock had gone on
         told = []
@@ -248,6 +248,32 @@ async def test_files_are_saved_and_changes_outside_noticed(stage, tmp_path: Path
         await stage.until(
             pilot, lambda: stage.bench.desk.program.fragment("E") == "ego = new Car\n" and not stage.busy
         )
+
+
+async def test_what_is_saved_has_its_map_beside_it_also_after_a_restart(stage, tmp_path: Path):
+    """Where it is not at hand, that is said."""
+    maps = tmp_path / "maps"
+    maps.mkdir()
+    (maps / "town.xodr").write_text("<OpenDRIVE/>")
+    async with stage.described() as pilot:
+        assert "localPath('town.xodr')" in stage.bench.session.program.text
+        await stage.backends[-1].thread.do(stage.bench.session.close)
+    async with stage.make().run_test(size=(140, 45)) as pilot:
+        await stage.ready(pilot)
+        for name, said in (("a", "Put town.xodr beside it: the program needs it to run elsewhere."),
+                           ("b", f"Saved cut.scenic, town.xodr, cut.s.json in {tmp_path / 'b'}.")):  # fmt: skip
+            (tmp_path / name).mkdir()
+            await stage.bench.run_command("save", str(tmp_path / name / "cut.scenic"))
+            await stage.until(pilot, lambda said=said: said in stage.said)
+            stage.engine.library.folder_of = lambda program: str(maps)
+    (tmp_path / "b" / "cut.scenic").rename(tmp_path / "b" / "own.scenic")
+    stage.engine.library.folder_of = lambda program: None
+    async with stage.make(session="other", file=tmp_path / "b" / "own.scenic").run_test(size=(140, 45)) as pilot:
+        await stage.until(pilot, lambda: stage.bench and stage.bench.session and stage.bench.files.file)
+        await stage.until(pilot, lambda: "town.xodr" in stage.bench.session.program.text and not stage.busy)
+        (tmp_path / "c").mkdir()
+        await stage.bench.run_command("save", str(tmp_path / "c" / "own.scenic"))
+        await stage.until(pilot, lambda: any("Saved own.scenic, town.xodr" in line for line in stage.said))
 
 
 async def test_no_file_is_overwritten_unasked(stage, tmp_path: Path):

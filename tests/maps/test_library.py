@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -77,6 +78,7 @@ def test_a_map_given_by_its_path_is_known_again_by_the_program(tmp_path):
     assert library.named_in(program) == given
     library.working_copy(given)
     assert MapLibrary().named_in(program).digest == given.digest
+    assert (Path(MapLibrary().folder_of(program)) / "village.xodr").is_file()
     assert MapLibrary().named_in("model scenic.simulators.carla.model") is None
 
 

@@ -38,7 +38,7 @@ async def reopened(engine, file, tmp_path):
 async def test_it_comes_back_whole(made, tmp_path):
     engine, done = made
     file = tmp_path / "a.scenic"
-    assert beside(file) in save(done.program, None, file, structure=done.structure)
+    assert beside(file) in save(done.program, [], file, structure=done.structure)
     assert taken(file, file.read_text()) == [Replace(structure=done.structure)]
     session = await reopened(engine, file, tmp_path)
     assert session.structure == done.structure and session.program.text == file.read_text()
@@ -47,7 +47,7 @@ async def test_it_comes_back_whole(made, tmp_path):
 async def test_what_was_changed_in_the_file_is_code_by_hand(made, tmp_path):
     engine, done = made
     file = tmp_path / "a.scenic"
-    save(done.program, None, file, structure=done.structure)
+    save(done.program, [], file, structure=done.structure)
     text = file.read_text().replace("EGO_SPEED = 8.33", "EGO_SPEED = 5").replace("\nthe_car = ", "\n# mine\nthe_car = ")
     file.write_text(text)
     session = await reopened(engine, file, tmp_path)
@@ -60,7 +60,7 @@ async def test_what_was_changed_in_the_file_is_code_by_hand(made, tmp_path):
 async def test_a_standalone_program_comes_back_whole_too(made, tmp_path):
     engine, done = made
     file = tmp_path / "alone.scenic"
-    assert beside(file) in save(done.program, None, file, standalone=True, structure=done.structure)
+    assert beside(file) in save(done.program, [], file, standalone=True, structure=done.structure)
     text = file.read_text()
     assert "import *" not in text and taken(file, text) == [Replace(structure=done.structure), SetProgram(text=text)]
     session = await reopened(engine, file, tmp_path)
@@ -71,7 +71,7 @@ async def test_a_standalone_program_comes_back_whole_too(made, tmp_path):
 async def test_a_file_is_judged_by_the_s_that_was_saved_with_it(made, tmp_path):
     engine, done = made
     file = tmp_path / "a.scenic"
-    save(done.program, None, file, structure=done.structure)
+    save(done.program, [], file, structure=done.structure)
     structure, program, words = await judged_by(engine, file.read_text(), file)
     assert (structure, program.spans, words) == (
         done.structure, done.program.spans, "Judged by the S in a.s.json, saved with the program.",
@@ -89,7 +89,7 @@ async def test_a_file_is_judged_by_the_s_that_was_saved_with_it(made, tmp_path):
 async def test_an_import_has_the_components_that_were_saved_with_the_program(made, tmp_path):
     engine, done = made
     file = tmp_path / "a.scenic"
-    save(done.program, None, file, structure=done.structure)
+    save(done.program, [], file, structure=done.structure)
     found, whose = await imported(engine, file.read_text(), file)
     assert (found.structure, whose) == (done.structure, "a.s.json")
     text = file.read_text().replace("EGO_SPEED = 8.33", "EGO_SPEED = 5")
@@ -102,7 +102,7 @@ async def test_an_import_has_the_components_that_were_saved_with_the_program(mad
 async def test_an_s_of_another_program_or_none_is_left_alone(made, tmp_path):
     _, done = made
     file = tmp_path / "a.scenic"
-    save(done.program, None, file, structure=done.structure)
+    save(done.program, [], file, structure=done.structure)
     assert taken(file, "model scenic.simulators.carla.model\nego = new Car\n") == []
     for broken in ("", "{}", json.dumps({"format": "c2s structure 1", "structure": {"ego": 3}}), "[]"):
         beside(file).write_text(broken)
@@ -113,5 +113,5 @@ async def test_an_s_of_another_program_or_none_is_left_alone(made, tmp_path):
 async def test_a_small_change_leaves_the_s(made, tmp_path):
     _, done = made
     file = tmp_path / "a.scenic"
-    save(done.program, None, file, structure=done.structure)
+    save(done.program, [], file, structure=done.structure)
     assert taken(file, done.program.text + "# end\n")[1:] == [SetProgram(text=done.program.text + "# end\n")]

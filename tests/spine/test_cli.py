@@ -178,7 +178,7 @@ def test_a_full_disk_loses_nothing():
     from c2s_engine.structure.program import Program
 
     with pytest.raises(OSError):
-        save(Program(text="x = 1\n"), None, Path("/dev/full/a.scenic"))
+        save(Program(text="x = 1\n"), [], Path("/dev/full/a.scenic"))
 
 
 def test_the_front_imports_no_heavy_package():

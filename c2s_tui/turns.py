@@ -51,8 +51,11 @@ class Turns(Part):
         return {name: value for name, value in chosen.items() if value is not None}
 
     @background("turn")
-    async def turn(self, source: Callable[[], AsyncIterator[Progress]], label: str) -> None:
-        """Run a turn of the session and show its events; cancelling leaves S as it was."""
+    async def turn(
+        self, source: Callable[[], AsyncIterator[Progress]], label: str, edits: Sequence[Edit] = ()
+    ) -> None:
+        """Run a turn of the session and show its events; cancelling leaves S as it was. `edits`: those it makes, where
+        they are known before."""
         async with self.lock:
             self.working, self.since = label, monotonic()
             before, said = self.desk.structure, self.said
@@ -60,6 +63,7 @@ class Turns(Part):
             if self.waiting:
                 self.desk = desks.expected(self.desk, self._optimistic(self.waiting))
             self.bench.show()
+            self.bench.code.hand_over(edits)
             finished = False
             try:
                 async with aclosing(self.backend.events(source)) as events:
@@ -77,6 +81,7 @@ class Turns(Part):
                 else:
                     self.waiting = ()
                 self.bench.show()
+                self.bench.code.hand_over(())
                 self.bench.drafts.save()  # what was applied is no draft any more, also after a crash
                 await self.chat.end()
             if finished:
@@ -156,7 +161,7 @@ class Turns(Part):
         options, hand = self.options(), self.bench.code.hand_edit
         self.long = len(text) if len(text) > LONG else 0
         self.waiting, self.said = (), text
-        self.turn(lambda: self._after(hand, self.session.say(text, **options)), "reading")
+        self.turn(lambda: self._after(hand, self.session.say(text, **options)), "reading", hand)
 
     async def wait_to_say(self, text: str) -> None:
         """What is sent while the session is still being opened waits for that."""
@@ -216,7 +221,7 @@ class Turns(Part):
         await self.bench.sheet.close_editor() if self.bench.sheet.editor else None
         self.waiting = together
         options = self.options() | {"map": self.bench.choices.map_of(self._optimistic(together))}
-        self.turn(lambda: self.session.apply(together, **options), "writing")
+        self.turn(lambda: self.session.apply(together, **options), "writing", together)
 
     @background("reach")
     async def reach(self, edit: Edit) -> None:

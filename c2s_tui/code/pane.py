@@ -1,5 +1,6 @@
 """The code pane: gutter, program, and the finding at the cursor."""
 
+from collections.abc import Sequence
 from typing import Any
 
 from textual import on
@@ -10,7 +11,7 @@ from textual.content import Content
 from textual.widgets import Static, TextArea
 
 from c2s_engine.structure.diagnostics import Diagnostic
-from c2s_engine.structure.edits import SetProgram
+from c2s_engine.structure.edits import Edit, SetProgram
 from c2s_engine.structure.layout import merged
 from c2s_engine.structure.program import Program
 from c2s_tui.code.area import CodeArea
@@ -38,6 +39,7 @@ class CodePane(Vertical):
         self.desk = Desk()
         self.base = self.desk.program  # the program that the shown text was edited from
         self._shown_text = ""  # that program as the text area has it: line ends of one kind
+        self._handed: str | None = None  # the text that the turn under way has taken, until it writes a program
         self._live: tuple[str, tuple[Diagnostic, ...]] | None = None  # found while typing, in that text
         self._subtitle = ""
         self._begins = False  # a program has come and was not shown yet
@@ -80,7 +82,8 @@ class CodePane(Vertical):
         self.desk = desk
         first = not self.base.text and bool(desk.program.text)
         if desk.program.text != self.base.text:
-            typed = merged(self.base.text, self.text, desk.program.text)
+            since = self.base.text if self._handed is None else self._handed
+            typed, self._handed = merged(since, self.text, desk.program.text), None
             self.area.replace_text(desk.program.text)
             self._shown_text = self.area.text
             self.area.replace_text(typed)
@@ -187,6 +190,12 @@ class CodePane(Vertical):
     def hand_edit(self) -> tuple[SetProgram, ...]:
         """What was typed and is not applied."""
         return (SetProgram(text=self.text),) if self.edited else ()
+
+    def hand_over(self, edits: Sequence[Edit]) -> None:
+        """A turn makes those edits: where the shown text is among them, what it writes of it takes its place, and only
+        what is typed from now on is not applied."""
+        given = next((e.text for e in reversed(edits) if isinstance(e, SetProgram)), None)
+        self._handed = given if given == self.text else None
 
     def toggle_fold(self, which: str = "") -> None:
         """Fold what follows a component's first line away, or show it again: the component at the cursor, one by id,

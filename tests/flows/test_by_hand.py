@@ -3,7 +3,7 @@
 import pytest
 from scripted_engine import CUT_IN
 
-from c2s_engine.structure.edits import SetField
+from c2s_engine.structure.edits import SetField, SetProgram
 
 OWN = '''"""
 TITLE: Bypassing
@@ -57,6 +57,21 @@ async def test_what_was_applied_is_no_draft_any_more(stage):
         await stage.until(pilot, lambda: not stage.busy and not stage.bench.code.edited)
         await stage.until(pilot, lambda: stage.bench.session.draft("code") == "")
         assert "by 4.0" in stage.bench.session.program.text
+
+
+async def test_what_is_written_of_what_was_applied_takes_its_place(stage):
+    """A constant is read into S, and the comment beside it is written anew: nothing of that is unapplied."""
+    apply = stage.engine.apply
+    stage.engine.apply = lambda structure, edits, **options: apply(
+        structure, [SetProgram(text=e.text.replace("by 4.0,", "by 4.0,  # m")) for e in edits], **options
+    )
+    async with stage.described() as pilot:
+        stage.write("left of ego by 3.5", "left of ego by 4.0")
+        await stage.until(pilot, lambda: "F5 applies" in str(stage.bench.code.border_subtitle))
+        await pilot.press("f4", "f5")
+        await stage.until(pilot, lambda: "by 4.0,  # m" in stage.bench.session.program.text and not stage.busy)
+        assert stage.bench.code.text == stage.bench.session.program.text
+        assert not stage.bench.code.border_subtitle
 
 
 async def test_a_file_is_opened_in_a_session_of_its_own(stage):

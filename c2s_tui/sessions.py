@@ -78,7 +78,7 @@ class Sessions(Part):
         if session.idle:
             from c2s_engine.session.no_effect import told
 
-            await self.chat.note(told(session.idle))
+            await self.chat.note(told(session.idle, of=session.structure.text))
         await self._recover(session)
 
     async def _opened(self, name: str) -> "Session":

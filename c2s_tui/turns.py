@@ -38,6 +38,7 @@ class Turns(Part):
         self.waiting: tuple[Edit, ...] = ()  # edits of the turn under way
         self.then = ""  # a command to run when the turn under way is done
         self.said = ""  # the text of the turn under way, where it is one
+        self.count = 0  # turns that have begun
         self.early: list[str] = []  # what was sent before a session was open
 
     @property
@@ -58,6 +59,7 @@ class Turns(Part):
         they are known before."""
         async with self.lock:
             self.working, self.since = label, monotonic()
+            self.count += 1
             before, said = self.desk.structure, self.said
             self.desk = desks.begun(self.desk)
             if self.waiting:
@@ -105,7 +107,7 @@ class Turns(Part):
         """When a description, or a change of S (`upon`), was read, say which of its words make no difference."""
         from c2s_engine.session.no_effect import told
 
-        now = self.desk.structure
+        now, turn = self.desk.structure, self.count
         found: tuple[Unmet, ...]
         try:
             if upon is None:
@@ -114,8 +116,8 @@ class Turns(Part):
                 found = tuple(await self.backend.ask(lambda engine: engine.without_effect(text, upon)))
         except (ValueError, OSError):
             return  # what cannot be read is said by the turn
-        if found and (now if upon else text) == (self.desk.structure if upon else self.desk.structure.text):
-            await self.chat.note(told(found), "note")
+        if found and turn == self.count and now == self.desk.structure:
+            await self.chat.note(told(found, of=text), "note")
 
     async def _take(self, event: Progress) -> None:
         if isinstance(event, StageStarted):

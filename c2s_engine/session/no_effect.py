@@ -10,6 +10,8 @@ from c2s_engine.structure.components import Structure, Unmet
 from c2s_engine.structure.edits import Edit, apply
 
 REASON = "S would be the same without it"
+SHOWN = 60
+"""Characters of a text by which it is named."""
 MOST = 80
 """Readings of one text (some 60 ms each)."""
 
@@ -57,9 +59,12 @@ def _changed(structure: Structure, edits: Sequence[Edit]) -> Structure:
     return structure
 
 
-def told(found: Sequence[Unmet]) -> str:
-    """These phrases in a sentence."""
-    return f"S would be the same without: {'; '.join(f'“{u.text}”' for u in found)}."
+def told(found: Sequence[Unmet], of: str = "") -> str:
+    """These phrases in a sentence, with the beginning of the text that they are of."""
+    said = " ".join(of.split())
+    short = said if len(said) <= SHOWN else f"{said[:SHOWN].rsplit(' ', 1)[0]} ..."
+    whose = f"Of “{short}”: " if said else ""
+    return f"{whose}S would be the same without: {'; '.join(f'“{u.text}”' for u in found)}."
 
 
 def _lost(structure: Structure) -> list[Unmet]:

@@ -109,9 +109,26 @@ async def test_no_number_of_seeds_is_one_sentence(stage):
 async def test_words_that_make_no_difference_are_named_once(stage):
     stage.engine.idle = (Unmet(text="red", reason="S would be the same without it", span=(2, 5)),)
     async with stage.described() as pilot:
-        await stage.until(pilot, lambda: "S would be the same without: “red”." in stage.said)
+        of = "Of “Ego drives at 50 km/h in the right lane of a two-lane road ...”"
+        await stage.until(pilot, lambda: f"{of}: S would be the same without: “red”." in stage.said)
         await stage.say(pilot, "/seeds 1")
         assert sum("would be the same" in line for line in stage.said) == 1
+
+
+async def test_words_of_a_turn_before_are_not_named_below_a_newer_one(stage):
+    looked = asyncio.Event()
+
+    async def without_effect(text, upon=None):
+        while not looked.is_set():  # set from another thread's loop
+            await asyncio.sleep(0.01)
+        return (Unmet(text="red", reason="S would be the same without it", span=(2, 5)),)
+
+    stage.engine.without_effect = without_effect
+    async with stage.described() as pilot:
+        await stage.say(pilot, "What is a cut-in?")
+        looked.set()
+        await stage.until(pilot, lambda: not any(w.group == "no_effect" for w in stage.bench.workers))
+        assert not any("would be the same" in line for line in stage.said)
 
 
 async def test_what_contradicts_is_said_where_not_all_is_shown(stage):

@@ -25,6 +25,7 @@ class SetDescription(_Edit):
     kind: Literal["description"] = "description"
     component: ComponentId
     description: str
+    unmet: tuple[Unmet, ...] | None = Field(None, description="what of the sentence is in no field")
 
 
 class SetSpec(_Edit):
@@ -150,7 +151,8 @@ def _placed_by(component: Component) -> set[str]:
 
 def _changed(component: Component, edit: SetDescription | SetSpec | SetField | SetCode) -> Component:
     if isinstance(edit, SetDescription):
-        return component.model_copy(update={"description": edit.description})
+        noted = {} if edit.unmet is None else {"unmet": edit.unmet}
+        return component.model_copy(update={"description": edit.description, **noted})
     if isinstance(edit, SetCode):
         if edit.code is None:
             return component.model_copy(

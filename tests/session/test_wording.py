@@ -59,6 +59,26 @@ async def test_what_the_words_leave_as_it_was_is_left():
     assert after["O1"].spec == structure["O1"].spec and "fields are unchanged" in reply
 
 
+@pytest.mark.parametrize(
+    ("cid", "more", "lost"),
+    [
+        ("O1", ", then runs back", "then runs back"),
+        ("O1", " with a smile", "with a smile"),
+        ("E", " and listens to the radio", "and listens to the radio"),
+        ("O1", " after 3 s", ""),
+    ],
+)
+async def test_new_words_that_are_in_no_field_are_kept_and_marked(cid, more, lost):
+    before = await read(TEXT, IN_PROCESS)
+    old = before[cid].description.rstrip(".")
+    after, reply = await said(before, cid, f"{old}{more}.")
+    assert after[cid].description == f"{old}{more}."
+    assert [u.text for u in after[cid].unmet] == [lost] * bool(lost)
+    assert ("is not in S" in reply) is bool(lost)
+    again, _ = await said(after, cid, f"{old.replace('50', '60')}.")
+    assert not again[cid].unmet, "what is no longer said is no longer marked"
+
+
 @pytest.mark.full
 async def test_the_process_apart_reads_the_same_and_a_killed_one_is_replaced():
     reader = Reader()

@@ -107,13 +107,14 @@ class Turns(Part):
         """When a description, or a change of S (`upon`), was read, say which of its words make no difference."""
         from c2s_engine.session.no_effect import told
 
-        now, turn = self.desk.structure, self.count
+        now, turn, session = self.desk.structure, self.count, self.session
         found: tuple[Unmet, ...]
         try:
             if upon is None:
                 found = await self.backend.ask(lambda _: self.session.without_effect())
             else:
                 found = tuple(await self.backend.ask(lambda engine: engine.without_effect(text, upon)))
+                await asyncio.to_thread(session.keep_idle, text, found)
         except (ValueError, OSError):
             return  # what cannot be read is said by the turn
         if found and turn == self.count and now == self.desk.structure:

@@ -284,7 +284,9 @@ async def _without_effect(engine: "Engine", session: "Session", said: str, upon:
     try:
         if session.structure.text not in ("", upon.text):
             return await session.without_effect()
-        return await engine.without_effect(said, upon)
+        found = await engine.without_effect(said, upon)
+        session.keep_idle(said, found)
+        return found
     except (ValueError, OSError):  # what cannot be read is said by the turn
         return ()
 

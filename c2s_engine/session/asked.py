@@ -43,11 +43,17 @@ _OF_THE_SCENE = re.compile(
 UNANSWERED = (
     "I cannot answer that from the run or from S. `/search WORDS` in the app, or `c2s search`, looks in the documents."
 )
+_UNUSED = (
+    r"\bunused\b|(?:\bnot|n['’]t|\bnever) (?:\w+ ){0,2}(?:used|taken up|needed)\b"
+    r"|\b(?:without|no) (?:\w+ )?(?:effect|difference)\b"
+)
 _UNDERSTOOD = r"\b(?:underst(?:ood|and)|left out|lost from|dropped|ignored|account of)\b"
 _NEAR = r"\b(?:close|closest|near|nearest|far|gap|distance|apart|ttc|time to collision|pet|encroachment)\b"
 _STOPPED = r"\b(?:stop\w*|stand\w*|halt\w*)\b"
 _FAST = r"\b(?:fast\w*|speed\w*|velocity|km/h|slow\w*)\b"
 _WHY = re.compile(r"^(?:and |but |so )?(?:why|what makes|what made)\b", re.I)
+_NOT = re.compile(r"\b(?:not|never|fail\w*)\b|n['’]t\b", re.I)
+_FUNCTION = "why what makes made did does do is are was were has have had will would not never fail the an of for to it"
 
 
 def wants_help(text: str) -> bool:
@@ -57,7 +63,7 @@ def wants_help(text: str) -> bool:
 
 def asks_for_account(text: str) -> bool:
     """Whether a text asks what of the description was understood, or lost."""
-    return re.search(_UNDERSTOOD, text, re.I) is not None and text.rstrip().endswith("?")
+    return re.search(f"{_UNUSED}|{_UNDERSTOOD}", text, re.I) is not None and text.rstrip().endswith("?")
 
 
 def answered(question: str, shown: Finished | None) -> str:
@@ -69,12 +75,16 @@ def answered(question: str, shown: Finished | None) -> str:
     if _ASKS_MEANING.match(question.strip()) and (entry := meaning(question)):
         measured = _near(about) if shown.facts and re.search(_NEAR, question, re.I) else ""
         return f"{entry}\n{measured}".strip()
+    if about.why_not and (said := _why_not(about)):
+        return said
     for pattern, answer in TOPICS:
         if re.search(pattern, question, re.I):
             if answer in NEEDS_RUN and not shown.facts:
                 return "The program has not been run, so nothing is known of that: F5 (or `c2s run`) runs it."
             if said := answer(about):
                 return said
+    if about.why_not and about.named:  # on what S rests is no answer to that
+        return UNANSWERED
     of_the_scene = not about.why and (about.named or _OF_THE_SCENE.match(question.strip()))
     elsewhere = meaning(question) or explained(question, shown.structure)
     return UNANSWERED if of_the_scene and not elsewhere else ""
@@ -102,6 +112,11 @@ class _Asked:
     @property
     def why(self) -> bool:
         return bool(_WHY.match(self.text))
+
+    @property
+    def why_not(self) -> bool:
+        """Whether it asks why something is not so."""
+        return self.why and _NOT.search(self.text) is not None
 
     def names(self, component: Component) -> bool:
         """Whether the question names a component: ego, O1, its name, its type."""
@@ -212,6 +227,36 @@ def _why_braked(asked: _Asked) -> str:
     return f"{text[0].upper()}{text[1:]}." if text else ""
 
 
+def _why_not(asked: _Asked) -> str:
+    """What S requires of what the question names and the run did not show, with what came instead; empty where all that
+    was shown, or is not required."""
+    components = [c for c in asked.structure.components if c.kind in "EO"]
+    named = {c.id for c in components if asked.names(c)}
+    names = {w for c in components for w in _stems(f"{c.id} {getattr(c.spec, 'name', 'ego')} ego")}
+    wanted = _stems(asked.text.replace("’", "'").replace("n't", " not")) - names - _stems(_FUNCTION)
+    required = {r.id: r for r in asked.shown.requirements}
+    missed = [(len(wanted & _stems(f"{r.text} {r.id.rsplit('.', 1)[-1]}")), r, result) for result in asked.shown.results
+              if not result.holds and (r := required.get(result.requirement)) and (not named or r.component in named)]
+    most = max((shared for shared, _, _ in missed), default=0)
+    if not most:
+        return ""
+    best = [(r, result) for shared, r, result in missed if shared == most]
+    lines = failures([r for r, _ in best], [result for _, result in best])[:4]
+    for cid in dict.fromkeys(r.component for r, _ in best):
+        if came := _in_its_place(asked, cid):
+            lines.append(came)
+    return "\n".join(lines)
+
+
+def _in_its_place(asked: _Asked, cid: str) -> str:
+    """What somebody does in the run, first to last."""
+    found = [(e.time, o.name, e) for o in asked.facts.objects if _cid(o) == cid for e in o.events
+             if e.event not in USUAL and e.time > 0] if asked.shown.facts else []  # fmt: skip
+    found.sort(key=lambda f: f[0])
+    said = "; ".join(f"{name} {_event(e)}" for _, name, e in found[:8])
+    return f"In the run {said}. {_lasted(asked)}" if said else ""
+
+
 def _fast(asked: _Asked) -> str:
     said = []
     for actor in asked.actors:
@@ -250,7 +295,8 @@ def _when(asked: _Asked) -> str:
 def _stems(text: str) -> set[str]:
     """The words of a text without the endings of verbs."""
     words = re.findall(r"[a-z]+", text.lower().replace("_", " "))
-    return {re.sub(r"(?:ing|es|ed|s|e)$", "", w) if len(w) > 3 else w for w in words}
+    stems = (re.sub(r"(?:ing|es|ed|s|e)$", "", w) if len(w) > 3 else w for w in words)
+    return {re.sub(r"([^aeiou])\1$", r"\1", w) for w in stems}  # "stopped"
 
 
 def _lasted(asked: _Asked) -> str:
@@ -295,6 +341,17 @@ def _accounted(asked: _Asked) -> str:
     return "\n".join([f"{whole} of {len(clauses)} clauses of the text are in S as understood.", *lines])
 
 
+def _unused(asked: _Asked) -> str:
+    """The words, of the text and of changes, that made no difference, and those that are not in S, with the reasons."""
+    from c2s_engine.session import no_effect  # not when a session is opened
+
+    idle = asked.shown.details.get("without_effect", ())
+    lost = [u for c in account(asked.structure) for u in c.lost]
+    lines = [no_effect.told(idle)] if idle else []
+    lines += [f"“{u.text}”: {u.reason}." for u in dict.fromkeys(lost)]
+    return "\n".join(lines) or "All words are used, as far as I can tell."
+
+
 def _lost(clause: Clause) -> str:
     """What of a clause is lost, and why: what is lost as a whole is not named again."""
     reasons: dict[str, list[str]] = {}
@@ -337,6 +394,7 @@ def _there(asked: _Asked) -> str:
 
 
 TOPICS: tuple[tuple[str, Callable[[_Asked], str]], ...] = (
+    (_UNUSED, _unused),
     (_UNDERSTOOD, _accounted),
     (r"\b(?:assum\w+|guess\w*|left open|defaults?)\b", _assumed),
     (r"^(?:and |but |so )?(?:when|at (?:what|which) (?:time|moment))\b", _when),

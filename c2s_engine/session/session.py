@@ -5,7 +5,7 @@ import contextlib
 import fcntl
 import json
 import sqlite3
-from collections.abc import AsyncIterator, Callable, Iterable
+from collections.abc import AsyncIterator, Callable, Iterable, Sequence
 from contextlib import aclosing
 from dataclasses import dataclass
 from functools import cached_property
@@ -128,6 +128,19 @@ class Session:
             found = tuple(await self._engine.without_effect(text))
             await asyncio.to_thread(self._idle.keep, text, found)
         return found or ()
+
+    def keep_idle(self, said: str, found: Sequence[Unmet]) -> None:
+        """Keep the phrases of a change that made no difference to it."""
+        self._idle.keep(said, found)
+
+    def _idle_words(self) -> list[Unmet]:
+        """The phrases without effect of the text, and those of the changes that were made of it since (they lie in no
+        text of S)."""
+        found = list(self.idle or ())
+        for turn in self.history:
+            if turn.kind == "say" and not turn.asked and turn.text != self.structure.text:
+                found += [u.model_copy(update={"span": None}) for u in self._idle.of(turn.text) or ()]
+        return found
 
     @property
     def history(self) -> list[Turn]:
@@ -261,7 +274,7 @@ class Session:
                     await self.without_effect()
             values = {
                 "request": turn.model_dump(mode="json"),
-                "idle": [u.model_dump(mode="json") for u in self.idle or ()],
+                "idle": [u.model_dump(mode="json") for u in self._idle_words()],
                 "last": self._last(turn),
                 "state": self._state.model_dump(mode="json"),
             }

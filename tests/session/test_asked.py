@@ -2,7 +2,7 @@
 
 import pytest
 
-from c2s_engine.session.asked import HELP, UNANSWERED, answered, wants_help
+from c2s_engine.session.asked import HELP, UNANSWERED, answered, asks_for_account, wants_help
 from c2s_engine.structure.components import Assumption, Component, Link, Structure, Unmet
 from c2s_engine.structure.facts import ContactFact, EventFact, ObjectFacts, RunFacts
 from c2s_engine.structure.measures import ActorMeasures, Measures, PairMeasures
@@ -78,6 +78,33 @@ SHOWN = Finished(
 )  # fmt: skip
 def test_questions_about_the_scene_and_its_run(question, words):
     assert words in answered(question, SHOWN)
+
+
+@pytest.mark.parametrize(
+    ("question", "words"),
+    [("why did the cyclist not stop?", "O1 (cyclist): stop. Required: stop; the run: not seen; instead: enter road.\n"
+      "In the run cyclist enters the road at 2.9 s; cyclist hits ego at 4.1 s."),
+     ("why hasn't the cyclist stopped", "O1 (cyclist): stop. Required: stop"),
+     ("why does O1 never stop?", "O1 (cyclist): stop. Required: stop"),
+     ("why did the cyclist not sing?", UNANSWERED),
+     ("why did ego not stop?", "ego does not stop: its slowest is 32 km/h"),
+     ("why does ego brake?", "the text does not say")],
+)  # fmt: skip
+def test_why_something_is_not_so_is_answered_from_what_was_required_and_not_seen(question, words):
+    stop = Requirement(id="O1.phases.0.stop", kind="phase", component="O1", text="O1 (cyclist): stop.", check="event")
+    missed = Result(requirement=stop.id, holds=False, said="stop", seen="not seen; instead: enter road")
+    shown = SHOWN.model_copy(update={"requirements": (REQUIRED, stop), "results": (*SHOWN.results, missed)})
+    assert words in answered(question, shown)
+
+
+@pytest.mark.parametrize("question", ["which words were not used?", "Which of my words have no effect?",
+                                      "which words were never really used?", "are there unused words?"])  # fmt: skip
+def test_the_words_that_made_no_difference_can_be_asked_for(question):
+    idle = (Unmet(text="red", reason="S would be the same without it", span=(3, 6)),
+            Unmet(text="with a smile", reason="S would be the same without it"))  # fmt: skip
+    shown = SHOWN.model_copy(update={"details": {"without_effect": idle}})
+    assert asks_for_account(question)
+    assert answered(question, shown).startswith("S would be the same without: “red”; “with a smile”.")
 
 
 def test_what_was_not_understood_counts_the_words_without_effect():

@@ -79,6 +79,15 @@ async def test_what_was_found_stays_with_the_session(tmp_path):
         pass
     assert engine.shown.details["without_effect"] == (idle,)
     assert await session.without_effect() == session.idle == (idle,)
+    async for _ in session.say("A blue car brakes."):
+        pass
+    session.keep_idle(text, (idle,))  # of a change now: its phrases lie in no text of S
+    session.keep_idle("A blue car brakes.", ())
+    async for _ in session.say("which words were not used?"):
+        pass
+    assert engine.shown.details["without_effect"] == (idle.model_copy(update={"span": None}),)
+    async for _ in session.undo():
+        pass
     session.close()
     again = Sessions(tmp_path).open("one", engine)
     assert again.idle == (idle,) and engine.looked == 1

@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
 from c2s_engine.structure import layout
-from c2s_engine.structure.components import Component, ComponentId, Structure, Unmet
+from c2s_engine.structure.components import OBJECT_ID, Component, ComponentId, Structure, Unmet
 from c2s_engine.structure.specs import AnySpec, ObjectSpec
 
 SPEC_ADAPTER: TypeAdapter[AnySpec] = TypeAdapter(AnySpec)
@@ -121,6 +121,9 @@ def apply(structure: Structure, edit: Edit) -> Structure:
         kept = tuple(o for o in structure.objects if o.id != edit.component)
         return structure.model_copy(update={"objects": kept})
     component = structure[edit.component]
+    if isinstance(edit, SetField):
+        value = _by_id(edit.value, edit.path.rsplit(".", 1)[-1], structure, edit)
+        edit = edit.model_copy(update={"value": value})
     if isinstance(edit, MoveObject):
         rest = [o for o in structure.objects if o.id != edit.component]
         rest.insert(max(0, min(edit.index, len(rest))), component)
@@ -233,6 +236,26 @@ def references(component: Component) -> frozenset[ComponentId]:
 
     walk(component.spec.model_dump(exclude_defaults=True))
     return frozenset(found - {component.id})
+
+
+def _by_id(value: Any, key: str, structure: Structure, edit: SetField) -> Any:
+    """A field's value with ids for the names of those that it refers to, as S shows them."""
+    if isinstance(value, dict):
+        return {k: _by_id(v, k, structure, edit) for k, v in value.items()}
+    if isinstance(value, list | tuple):
+        return type(value)(_by_id(v, key, structure, edit) for v in value)
+    if key not in _REFERENCE_FIELDS or not isinstance(value, str) or value == "ego" or OBJECT_ID.fullmatch(value):
+        return value
+    others = {o.id: o.spec for o in structure.objects if o.id != edit.component and isinstance(o.spec, ObjectSpec)}
+    wanted = value.strip().lower().replace(" ", "_").removeprefix("the_")
+    called = [{cid.lower(): cid, spec.name.lower(): cid, spec.type: cid}.get(wanted) for cid, spec in others.items()]
+    found = ["ego"] if wanted in ("e", "ego") else [cid for cid in called if cid]
+    exact = [cid for cid in found if cid in others and others[cid].name.lower() == wanted]
+    if len(exact or found) == 1:
+        return (exact or found)[0]
+    names = ", ".join(["ego", *(f"{cid} ({spec.name})" for cid, spec in others.items())])
+    several = f": {value} can be {' or '.join(found)}" if found else ""
+    raise EditError(f"{edit.component}.{edit.path} is one of {names}{several}")
 
 
 _REFERENCE_FIELDS = {"of", "target", "react_to", "hidden_by", "subject", "other"}

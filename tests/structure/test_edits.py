@@ -21,6 +21,17 @@ def test_a_field_deep_in_a_spec(structure):
     assert after["O1"] == structure["O1"]
 
 
+@pytest.mark.parametrize("name", ["O1", "o1", "lead", "Lead", "the lead", "car"])
+def test_a_reference_takes_the_name_that_is_shown(structure, name):
+    structure = apply(structure, AddObject(spec=ObjectSpec(name="old_van", type="van")))
+    assert apply(structure, SetField(component="O2", path="placement.of", value=name))["O2"].spec.placement.of == "O1"
+    step = {"action": "follow", "target": "old van", "trigger": {"kind": "distance", "of": name, "value": 9}}
+    phase = apply(structure, SetField(component="O2", path="phases", value=[step]))["O2"].spec.phases[0]
+    assert (phase.target, phase.trigger.of) == ("O3", "O1")
+    with pytest.raises(EditError, match=r"is one of ego, O1 \(lead\), O2 \(follower\): car can be O1 or O2$"):
+        apply(structure, SetField(component="O3", path="placement.of", value="car"))
+
+
 def test_a_phase_can_be_appended_and_removed(structure):
     after = apply(structure, SetField(component="O1", path="phases.0", value={"action": "stop"}))
     assert after["O1"].spec.phases == (Phase(action="stop"),)
@@ -38,6 +49,8 @@ def test_a_phase_can_be_appended_and_removed(structure):
         (SetField(component="E", path="speed", value=[20, 250]), "^E.speed: a speed is at most 360 km/h$"),
         (SetField(component="E", path="phases", value=[{"action": "brake", "speed": -1}]), "a speed is not below 0"),
         (SetField(component="O1", path="speed", value="banana"), "^O1.speed: banana is no number$"),
+        (SetField(component="O2", path="placement.of", value="van"),
+         r"^O2.placement.of is one of ego, O1 \(lead\)$"),
         (RemoveObject(component="O1"), "referred to by O2"),
         (RemoveObject(component="R"), "no object"),
         (SetSpec(component="O1", spec=EgoSpec()), "does not fit"),

@@ -1,10 +1,36 @@
-"""Limits that a change demands: "ego must not brake harder than 6 m/s2". The run is judged by them."""
+"""Limits that a change demands or lifts: "ego must not brake harder than 6 m/s2". The run is judged by them."""
+
+import re
+from collections.abc import Sequence
 
 from c2s_engine.interpret.changes.forms import Found, name_of, quantity_of
+from c2s_engine.interpret.changes.refer import refer, spec_of
 from c2s_engine.interpret.changes.retold import read, scene
+from c2s_engine.interpret.reading import scan
+from c2s_engine.structure import sentences as describe
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import SetField
 from c2s_engine.structure.specs import Limit, RestrictionsSpec
+
+_CONTACT = re.compile(
+    r"touch(?:es|ed|ing)?|hits?|hitting|collid(?:e|es|ed|ing)|collisions?|contacts?|crash(?:es|ed|ing)?|strik(?:e|es|ing)"
+)
+_UNTOUCHED = re.compile(
+    r"(?:(?:and|but|so|please|also) )*(?P<subject>(?:(?:the|my) )?§ )?"
+    r"(?:(?:must|should|shall|may|can|will|do|does|has to|have to|is to|needs to|there|be) )*"
+    r"(?:not|never|no|cannot|avoids?|avoiding)(?: (?:be|is|to|allowed|permitted|ever|have|make|come|into|any|an?))* "
+    rf"(?:{_CONTACT.pattern})(?: (?:with|into|against))?"
+    r"(?: (?:(?:the|my) )?§(?: (?:and|or) (?:(?:the|my) )?§)*| (?:any|no)(?:body|one)(?: else)?| anything)?"
+)
+"""That somebody (§) does not touch others, and nothing else."""
+_LIFTED = re.compile(
+    r"\b(?P<verb>remove|delete|drop|lift|cancel|forget|without|no longer|take (?:away|out|off|back))\b"
+    r"[^.;]*?\b(?P<limit>limits?|restrictions?|bounds?|bans?)\b"
+)
+_SMALL = frozenset(
+    ("the", "a", "an", "this", "that", "my", "of", "on", "for", "all", "every", "both", "do", "does", "not", "to",
+     "and", "with", "any", "it", "must", "should", "becom")
+)  # fmt: skip
 
 
 def bound(clause: str, structure: Structure) -> Found | None:
@@ -23,6 +49,68 @@ def bound(clause: str, structure: Structure) -> Found | None:
     kept = [m for m in old.limits if (m.kind, m.subject) not in {(n.kind, n.subject) for n in limits}]
     said = "; ".join(_in_words(limit, structure) for limit in limits)
     return [SetField(component="T", path="limits", value=(*kept, *limits))], said
+
+
+def contact(clause: str, structure: Structure) -> Found | None:
+    """That somebody must not touch somebody else, or anybody: a limit beside those that there are."""
+    spans = [s for s in scan.names(clause) if s.kind in ("actor", "ego", "label")]
+    plain = clause
+    for span in reversed(spans):
+        plain = f"{plain[: span.start]}§{plain[span.end :]}"
+    if not (said := _UNTOUCHED.fullmatch(plain)):
+        return None
+    meant = [refer(f"the {clause[s.start : s.end]}" if s.kind == "actor" else clause[s.start : s.end], structure,
+                   alone=False) for s in spans]  # fmt: skip
+    there = ["ego" if c.id == "E" else c.id for c in meant if c is not None]
+    if len(there) < len(meant):
+        return None
+    subject = there.pop(0) if said["subject"] else "ego"
+    others: list[str | None] = [*there] or [None]
+    limits = [Limit(kind="collision", subject=subject, other=other) for other in others if other != subject]
+    if not limits:
+        return None
+    old = _limits(structure)
+    new = [m for m in limits if m not in old]
+    return [SetField(component="T", path="limits", value=(*old, *new))], _told(limits, structure)
+
+
+def lifted(clause: str, structure: Structure) -> Found | None:
+    """That a limit of T holds no longer: the one whose words the demand has, or the only one."""
+    if not (said := _LIFTED.search(clause)) or not (limits := _limits(structure)):
+        return None
+    rest = clause.replace(said["limit"], " ")
+    words = set(re.findall(r"\w+", f"{rest[: said.start()]} {rest[said.start() :].replace(said['verb'], ' ', 1)}"))
+    wanted = {_stem(w) for w in words} - _SMALL
+    shared = [len(wanted & {_stem(w) for w in re.findall(r"\w+", _words_of(m, structure).lower())}) for m in limits]
+    most = max(shared)
+    if wanted and not most:
+        return None  # of another kind of limit: of the road
+    meant = [m for m, n in zip(limits, shared, strict=True) if n == most]
+    if len(meant) > 1 and not re.search(r"\b(?:all|every|both|limits|restrictions)\b", clause):
+        return [], f"say which limit: {'; '.join(_words_of(m, structure) for m in meant)}"
+    kept = tuple(m for m in limits if m not in meant)
+    return [SetField(component="T", path="limits", value=kept)], f"no longer: {_told(meant, structure)}"
+
+
+def _limits(structure: Structure) -> tuple[Limit, ...]:
+    spec = structure.restrictions.spec
+    assert isinstance(spec, RestrictionsSpec)
+    return spec.limits
+
+
+def _told(limits: Sequence[Limit], structure: Structure) -> str:
+    return "; ".join(_words_of(limit, structure) for limit in limits)
+
+
+def _words_of(limit: Limit, structure: Structure) -> str:
+    return describe.limit(limit, {c.id: spec_of(c).name for c in structure.objects})
+
+
+def _stem(word: str) -> str:
+    """A word without its ending: brakes, braking, hit and hitting; what tells of a contact is one word."""
+    if _CONTACT.fullmatch(word):
+        return "touch"
+    return re.sub(r"(?:ing|ed|es|s|e)$", "", word) if len(word) > 3 else word
 
 
 def _in_words(limit: Limit, structure: Structure) -> str:

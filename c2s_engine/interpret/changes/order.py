@@ -3,7 +3,7 @@
 from c2s_engine.interpret.changes.acts import gap_of_act
 from c2s_engine.interpret.changes.approach import start_distance
 from c2s_engine.interpret.changes.beside import abreast
-from c2s_engine.interpret.changes.bounds import bound
+from c2s_engine.interpret.changes.bounds import bound, contact, lifted
 from c2s_engine.interpret.changes.forms import Form
 from c2s_engine.interpret.changes.how_many import count
 from c2s_engine.interpret.changes.looks import blueprint
@@ -18,7 +18,9 @@ from c2s_engine.interpret.changes.timing import shifted
 from c2s_engine.interpret.changes.told import acting, standing
 
 FORMS: tuple[Form, ...] = (
+    lifted,
     bound,
+    contact,
     ending,
     length,
     blueprint,

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from c2s_engine.interpret import language, typologies
 from c2s_engine.interpret.accounting.clauses import of_sentences, span_of
 from c2s_engine.interpret.accounting.links import linked, owners, unheld, untaken
+from c2s_engine.interpret.accounting.starts import with_unread
 from c2s_engine.interpret.accounting.verbs import BARE, Untold
 from c2s_engine.interpret.reading.dates import WHEN
 from c2s_engine.interpret.reading.syntax import Word
@@ -85,7 +86,8 @@ class _Account:
             if not all(lost):
                 self._attach([s for s, n in zip(spans, lost, strict=True) if n is None])
         update = {"clauses": tuple(clauses), "background": tuple(background), "not_understood": tuple(missed)}
-        return self.structure.model_copy(update=update)
+        structure = self.structure.model_copy(update=update)
+        return with_unread(self.scene, structure, [n.span for n in missed if n.span])
 
     def _together(self, spans: list[Span], lost: list[_Lost | None]) -> list[tuple[Span, _Lost]]:
         """A sentence of which nothing is left is one note."""

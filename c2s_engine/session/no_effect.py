@@ -1,6 +1,7 @@
 """What of a text makes no difference to S, though no stage named it as lost: the text is read without each phrase."""
 
 import asyncio
+import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -10,6 +11,7 @@ from c2s_engine.structure.components import Structure, Unmet
 from c2s_engine.structure.edits import Edit, apply
 
 REASON = "S would be the same without it"
+JOINED = re.compile(r"(?:(?:and|but|then|or)\b\s*)*", re.IGNORECASE)
 MOST = 80
 """Readings of one text (some 60 ms each)."""
 
@@ -21,7 +23,8 @@ async def without_effect(text: str, tools: Tools) -> tuple[Unmet, ...]:
     meant, known = _meant(structure), [u.span for u in _lost(structure) if u.span]
     found: list[tuple[int, int]] = []
     for (start, end), rest in (await phrases(text, tools, structure.clauses))[:MOST]:
-        if any(a <= start and end <= b for a, b in [*found, *known]):
+        begin = start + JOINED.match(text[start:end]).end()  # type: ignore[union-attr]
+        if any(a <= begin and end <= b for a, b in [*found, *known]):
             continue
         try:  # a turn that is given up lets the reader finish: it would have to be started anew
             same = _same(_meant(await asyncio.shield(read(rest, tools))), meant)

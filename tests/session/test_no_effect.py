@@ -22,6 +22,7 @@ CASES = [
      ["After ego has left the roundabout"]),
     ("Ego drives at 90 km/h on a motorway with three lanes. A truck ahead has jackknifed and blocks the middle "
      "and left lane.", ["middle and left"]),  # without it less is taken for granted
+    ("Ego follows a truck at 50 km/h. The truck brakes hard and sings a song.", []),  # named as not understood
     ("V1 goes straight on at a junction. V2 turned left. The front of V1 struck the right side of V2 in light rain.",
      ["right", "light"]),
 ]  # fmt: skip

@@ -111,7 +111,9 @@ class EmbeddedInterpreter:
         understood.actors = understood.actors[:MOST_OBJECTS]
         result = accounted(understood, compose.compose(understood), mended.text)
         result = _on_original(result, mended, text)
-        if _idle(understood) and (result.not_understood or result.background):
+        begun = {start for start, _ in result.clauses}
+        whole = [n for n in (*result.not_understood, *result.background) if n.span and n.span[0] in begun]
+        if _idle(understood) and whole:
             raise InterpretError(
                 "This describes no driving scenario: name in English the vehicles or people, where they are and what "
                 "they do."

@@ -13,12 +13,13 @@ MODIFIES = frozenset(
 """Grammatical relations of what a sentence can do without."""
 
 
-def without_each(text: str) -> list[tuple[Span, str]]:
-    """Spans of the text, longer ones first, each with the text that is left without it."""
+def without_each(text: str, clauses: Iterable[Span] = ()) -> list[tuple[Span, str]]:
+    """Spans of the text, longer ones first, each with the text that is left without it; those of its `clauses`, too."""
     doc = parser()(text)
     found = {(s.start_char, s.end_char) for s in doc.sents}
     found |= {_span(token) for token in doc if token.dep_ in MODIFIES and _says_something(token.subtree)}
     found |= {(p.start_char, p.end_char) for s in doc.sents for p in _parts(s) if _says_something(p)}  # of notes, too
+    found |= {(a, a + len(text[a:b].rstrip(" .,;"))) for a, b in clauses}
     longest = sorted(found, key=lambda span: (span[0] - span[1], span))
     return [(span, rest) for span in longest if (rest := _without(text, span)).strip(" .,;")]
 

@@ -3,7 +3,7 @@
 import contextlib
 import hashlib
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -142,11 +142,17 @@ async def of_text(
 async def of_program(engine: Engine, file: Path, text: str, *, seed: int = 0) -> Material:
     """A Scenic program; its S is the one that was saved with it, else what is recognised in it. Raises CheckError where
     it cannot be parsed."""
+    from c2s_engine.session.reader import Unreadable
+
     edits = taken(file, text)
     structure = await followed(engine, edits) if edits else await engine.import_program(text, file.name)
     found = await _run(engine, Program(text=text, spans=spans(edits)), str(file.resolve().parent), file.name, seed)
     origin = f"program {file.name}, S {'saved with it' if edits else 'recognised in it'}"
-    return Material(id=file.stem, text=structure.text, origin=origin, structure=structure, **found)
+    idle: Sequence[Unmet] = ()
+    if structure.text.strip() and engine.settings.method == "embedded":
+        with contextlib.suppress(Unreadable):
+            idle = await engine.without_effect(structure.text)
+    return Material(id=file.stem, text=structure.text, origin=origin, structure=structure, idle=tuple(idle), **found)
 
 
 async def of_session(engine: Engine, name: str, *, seed: int = 0) -> Material:

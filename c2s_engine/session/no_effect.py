@@ -1,6 +1,7 @@
 """What of a text makes no difference to S, though no stage named it as lost: the text is read without each phrase."""
 
 import asyncio
+import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -12,6 +13,7 @@ from c2s_engine.structure.edits import Edit, apply
 REASON = "S would be the same without it"
 SHOWN = 60
 """Characters of a text by which it is named."""
+JOINED = re.compile(r"(?:(?:and|but|then|or)\b\s*)*", re.IGNORECASE)
 MOST = 80
 """Readings of one text (some 60 ms each)."""
 
@@ -22,11 +24,12 @@ async def without_effect(text: str, tools: Tools) -> tuple[Unmet, ...]:
     structure = await read(text, tools)
     meant, known = _meant(structure), [u.span for u in _lost(structure) if u.span]
     found: list[tuple[int, int]] = []
-    for (start, end), rest in (await phrases(text, tools))[:MOST]:
-        if any(a <= start and end <= b for a, b in [*found, *known]):
+    for (start, end), rest in (await phrases(text, tools, structure.clauses))[:MOST]:
+        begin = start + JOINED.match(text[start:end]).end()  # type: ignore[union-attr]
+        if any(a <= begin and end <= b for a, b in [*found, *known]):
             continue
         try:  # a turn that is given up lets the reader finish: it would have to be started anew
-            same = _meant(await asyncio.shield(read(rest, tools))) == meant
+            same = _same(_meant(await asyncio.shield(read(rest, tools))), meant)
         except Unreadable:
             continue
         if same:
@@ -71,8 +74,16 @@ def _lost(structure: Structure) -> list[Unmet]:
     return [*structure.not_understood, *structure.background, *(u for c in structure.components for u in c.unmet)]
 
 
+def _same(without: list[Any], meant: list[Any]) -> bool:
+    """Whether S is the same without a phrase; what it takes for granted with the phrase, the text without may say."""
+    return len(without) == len(meant) and all(
+        (cid, spec) == (other, held) and all(a in more for a in assumed)
+        for (cid, spec, assumed), (other, held, more) in zip(without, meant, strict=True)
+    )
+
+
 def _meant(structure: Structure) -> list[Any]:
-    """What S says, whatever its objects are called, and what it takes for granted."""
+    """By component what S says, whatever its objects are called, and what it takes for granted."""
     return [
         (c.id, c.spec.model_dump(mode="json", exclude={"name"}), [(a.field, a.value) for a in c.assumed])
         for c in structure.components

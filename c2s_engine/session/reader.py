@@ -8,6 +8,7 @@ import contextlib
 import pickle
 import struct
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, BinaryIO
 
@@ -104,9 +105,11 @@ async def read_learned(text: str, tools: Any) -> tuple[Any, Any]:
     return await _asked(tools, "learned", text)
 
 
-async def phrases(text: str, tools: Any) -> list[tuple[tuple[int, int], str]]:
-    """The phrases of a text by their spans, longer ones first, each with what is left of the text without it."""
-    return await _asked(tools, "phrases", text)
+async def phrases(
+    text: str, tools: Any, clauses: Sequence[tuple[int, int]] = ()
+) -> list[tuple[tuple[int, int], str]]:
+    """The phrases of a text, and its clauses, by their spans, longer ones first, each with what is left without it."""
+    return await _asked(tools, "phrases", text, clauses)
 
 
 async def route(text: str, structure: Structure | None, tools: Any, last: tuple[str, Structure] | None = None) -> Asked:

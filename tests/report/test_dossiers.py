@@ -10,6 +10,7 @@ from c2s_engine.report.dossier import dossier
 from c2s_engine.report.gather import Told, of_program, of_session, of_text, read_records
 from c2s_engine.report.material import ReportError
 from c2s_engine.report.writing import write
+from c2s_engine.saving import save
 from c2s_engine.session.errors import SessionError
 
 TEXT = "The ego follows a truck on a straight road at 50 km/h. After five seconds the truck brakes hard."
@@ -63,6 +64,15 @@ async def test_program_without_a_text(engine: Engine, tmp_path: Path) -> None:
     text = write(await of_program(engine, file, PROGRAM), tmp_path).read_text("utf-8")
     assert "There is no text: S is what was recognised in the program" in text
     assert "FollowLaneBehavior" in text and "## Tracks" in text
+
+
+async def test_program_with_its_text_names_what_makes_no_difference(engine: Engine, tmp_path: Path) -> None:
+    said = "The ego drives at 50 km/h in light rain."
+    *_, done = [event async for event in engine.generate(said, run=False)]
+    file = tmp_path / "rain.scenic"
+    save(done.program, done.details["folder"], file, structure=done.structure)
+    material = await of_program(engine, file, file.read_text("utf-8"))
+    assert [lost["text"] for clause in dossier(material)["account"] for lost in clause["lost"]] == ["light"]
 
 
 async def test_program_that_does_not_run_says_why(engine: Engine, tmp_path: Path) -> None:

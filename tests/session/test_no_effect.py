@@ -18,7 +18,14 @@ CASES = [
     ("Ego follows a van at 60 km/h at night. My cousin owns a boat.", []),  # named as background
     ("A lorry behind ego stops in time. Ego stands at a red light.", ["in time"]),
     ("A child from the right, ego 30 km/h, at night, no collision", ["no collision"]),  # a note without a sentence
-]
+    ("Ego approaches a roundabout at 40 km/h. After ego has left the roundabout a pedestrian crosses on a crosswalk.",
+     ["After ego has left the roundabout"]),
+    ("Ego drives at 90 km/h on a motorway with three lanes. A truck ahead has jackknifed and blocks the middle "
+     "and left lane.", ["middle and left"]),  # without it less is taken for granted
+    ("Ego follows a truck at 50 km/h. The truck brakes hard and sings a song.", []),  # named as not understood
+    ("V1 goes straight on at a junction. V2 turned left. The front of V1 struck the right side of V2 in light rain.",
+     ["right", "light"]),
+]  # fmt: skip
 
 
 @pytest.fixture(scope="module")

@@ -1,7 +1,8 @@
 """Clauses that did not become part of S: background, or not understood, each with the reason.
 
 A clause is understood where something in it did: a deed, a speed, the road, weather, light; or where it only says that
-somebody is there whom S has. What the road or the settings would lose without it is theirs, too.
+somebody is there whom S has. What the road or the settings would lose without it is theirs, too. A verb in it that says
+what somebody of S does, and led to nothing in S, is lost with what goes with it.
 """
 
 from collections.abc import Iterable
@@ -10,6 +11,8 @@ from dataclasses import dataclass, replace
 from c2s_engine.interpret import language, typologies
 from c2s_engine.interpret.accounting.clauses import of_sentences, span_of
 from c2s_engine.interpret.accounting.links import linked, owners, unheld, untaken
+from c2s_engine.interpret.accounting.starts import with_unread
+from c2s_engine.interpret.accounting.verbs import BARE, Untold
 from c2s_engine.interpret.reading.dates import WHEN
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.scene import Scene
@@ -20,8 +23,6 @@ from c2s_engine.structure.components import Link, Structure, Unmet
 
 Span = tuple[int, int]
 
-BARE = frozenset(("be", "have", "involve", "contain", "feature", "include", "consist", "show", "depict"))
-"""Verbs that only put somebody there: who is named with them is understood by being in S."""
 STRANGE = "“{}” was not read as something that a road user does"
 NOTHING = "nothing of it belongs to a driving scene that the specs can say"
 UNREAL = "told as possible, as a plan or as what came of it, not as part of the scene"
@@ -66,6 +67,7 @@ class _Account:
         self.spans = [li.span for c in structure.components for li in c.links if li.span and li.field]
         self.spans += [li.span for li in structure.place.links if li.span]
         self.notes = [u.span for c in structure.components for u in c.unmet if u.span]
+        self.untold = Untold(scene, self.known)
         self.quantities = [(s.start, s.end) for s in scene.spans if s.kind == "quantity"]
 
     def made(self) -> Structure:
@@ -80,10 +82,12 @@ class _Account:
                 note = Unmet(text=self.scene.text[slice(*span)], reason=reason.reason, span=span)
                 (background if reason.background else missed).append(note)
             missed += self._left_out([s for s, n in zip(spans, lost, strict=True) if n is None])
+            missed += self._untold([w for w, n in zip(sentence, lost, strict=True) if n is None], missed)
             if not all(lost):
                 self._attach([s for s, n in zip(spans, lost, strict=True) if n is None])
         update = {"clauses": tuple(clauses), "background": tuple(background), "not_understood": tuple(missed)}
-        return self.structure.model_copy(update=update)
+        structure = self.structure.model_copy(update=update)
+        return with_unread(self.scene, structure, [n.span for n in missed if n.span])
 
     def _together(self, spans: list[Span], lost: list[_Lost | None]) -> list[tuple[Span, _Lost]]:
         """A sentence of which nothing is left is one note."""
@@ -105,6 +109,19 @@ class _Account:
         values = [(text[slice(*at)], at) for at in unheld(self.scene, self.structure)]
         notes += [Unmet(text=words, reason=NO_VALUE.format(words), span=at) for words, at in values]
         return [n for n in notes if n.span and _meets(n.span, spans) and not _meets(n.span, self.notes)]
+
+    def _untold(self, clauses: list[list[Word]], missed: list[Unmet]) -> list[Unmet]:
+        """Verbs with what goes with them that led to nothing in S, though their clause is in it by other words."""
+        known = [n.span for n in missed if n.span]
+        notes = []
+        for words in clauses:
+            if _topic(words, named=True):
+                continue
+            for verb, span in self.untold.in_clause(words):
+                if not _meets((verb.start, verb.end), [*self.spans, *self.notes, *known]):
+                    reason = STRANGE.format(verb.text)
+                    notes.append(Unmet(text=self.scene.text[slice(*span)], reason=reason, span=span))
+        return notes
 
     def _attach(self, understood: list[Span]) -> None:
         """A clause that was understood with no words of it linked yet is the component's that was spoken of last."""

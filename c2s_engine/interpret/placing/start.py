@@ -9,6 +9,8 @@ from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.components import Assumption
 from c2s_engine.structure.specs import EgoSpec, Placement, PlaceSpec
 
+UNSAID = "the text does not say where it starts"
+
 
 def place_object(
     scene: Scene, entity: Entity, ids: dict[Entity, str], place: PlaceSpec, ego: EgoSpec, assumed: list[Assumption]
@@ -19,11 +21,7 @@ def place_object(
         scene, entity, where, acts, place
     )
     if not values.pop("said", False):
-        assumed.append(
-            Assumption(
-                field="placement.position", value=values["position"], reason="the text does not say where it starts"
-            )
-        )
+        assumed.append(Assumption(field="placement.position", value=values["position"], reason=UNSAID))
     of = "ego"
     if (
         where.of is not None

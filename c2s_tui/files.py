@@ -49,10 +49,9 @@ class Files(Part):
             await self.write(target)
             return
         said = "was changed by another program" if own else "is there already and is not this session's"
-        answers = {"o": ("over", "overwrite the file"), "r": ("reload", "read the file instead"), "b": ("", "go back")}
-        self.app.push_screen(
-            Confirm(f"{target} {said}.", answers), lambda answer: self._resolve_change(answer, target)
-        )
+        answers = {"b": ("", "go back"), "r": ("reload", "read the file instead"), "o": ("over", "overwrite the file")}
+        dialog = Confirm(f"{target} {said}.", answers, by_key=False)  # what is typed on must overwrite nothing
+        self.app.push_screen(dialog, lambda answer: self._resolve_change(answer, target))
 
     async def write(self, target: Path) -> None:
         """Write the text that the code pane shows, edits that are not applied included."""

@@ -244,7 +244,7 @@ async def test_files_are_saved_and_changes_outside_noticed(stage, tmp_path: Path
         assert len(told) == 1 and "changed by another program" in told[0]
         await pilot.press("ctrl+s")
         await stage.until(pilot, lambda: type(stage.app.screen).__name__ == "Confirm")
-        await pilot.press("r")
+        await pilot.press("down", "enter")
         await stage.until(
             pilot, lambda: stage.bench.desk.program.fragment("E") == "ego = new Car\n" and not stage.busy
         )
@@ -287,7 +287,7 @@ async def test_no_file_is_overwritten_unasked(stage, tmp_path: Path):
     async with stage.described() as pilot:
         await stage.say(pilot, f"/save {other}", wait=False)
         await stage.until(pilot, asked)
-        await pilot.press("b")
+        await pilot.press("o", "r", "enter")  # typed on
         await stage.until(pilot, lambda: not asked())
         assert other.read_text() == "my shopping list\n"
         await stage.say(pilot, f"/save {first}", wait=False)
@@ -307,7 +307,7 @@ async def test_no_file_is_overwritten_unasked(stage, tmp_path: Path):
         assert first.read_text() == saved
         await stage.say(pilot, f"/save {first}", wait=False)
         await stage.until(pilot, asked)
-        await pilot.press("o")
+        await pilot.press("down", "down", "enter")
         await stage.until(pilot, lambda: any("Saved" in line for line in stage.said[-2:]))
         await stage.say(pilot, "/save", wait=False)  # its own now
         await stage.until(pilot, lambda: sum("Saved" in line for line in stage.said) == 2)

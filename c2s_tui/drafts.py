@@ -31,18 +31,16 @@ class Drafts(Part):
         if self.recovered:
             texts["code"] = self.bench.code.text if self.bench.code.edited else ""
         if now:  # what is being written from a thread at this moment may be older than what is there
-            for pane, text in texts.items():
-                self.session.save_draft(pane, text)
+            _keep(self.session, texts, self.kept)
         elif changed := {pane: text for pane, text in texts.items() if text != self.kept[pane]}:
             self._write(changed)
 
     @background("drafts", exclusive=False)
     async def _write(self, texts: dict[str, str]) -> None:
-        session, kept = self.session, self.kept
+        await asyncio.to_thread(_keep, self.session, texts, self.kept)
 
-        def write() -> None:
-            for pane, text in texts.items():
-                session.save_draft(pane, text)
 
-        await asyncio.to_thread(write)
-        kept.update(texts)
+def _keep(session: "Session", texts: dict[str, str], kept: dict[str, str]) -> None:
+    for pane, text in texts.items():
+        session.save_draft(pane, text)
+        kept[pane] = text

@@ -248,11 +248,12 @@ def _by_id(value: Any, key: str, structure: Structure, edit: SetField) -> Any:
         return value
     others = {o.id: o.spec for o in structure.objects if o.id != edit.component and isinstance(o.spec, ObjectSpec)}
     wanted = value.strip().lower().replace(" ", "_").removeprefix("the_")
-    called = [{cid.lower(): cid, spec.name.lower(): cid, spec.type: cid}.get(wanted) for cid, spec in others.items()]
-    found = ["ego"] if wanted in ("e", "ego") else [cid for cid in called if cid]
-    exact = [cid for cid in found if cid in others and others[cid].name.lower() == wanted]
-    if len(exact or found) == 1:
-        return (exact or found)[0]
+    if wanted in ("e", "ego"):
+        return "ego"
+    exact = [cid for cid, spec in others.items() if wanted in (cid.lower(), spec.name.lower())]
+    found = exact or [cid for cid, spec in others.items() if wanted == spec.type]
+    if len(found) == 1:
+        return found[0]
     names = ", ".join(["ego", *(f"{cid} ({spec.name})" for cid, spec in others.items())])
     several = f": {value} can be {' or '.join(found)}" if found else ""
     raise EditError(f"{edit.component}.{edit.path} is one of {names}{several}")

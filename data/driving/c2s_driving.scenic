@@ -32,6 +32,7 @@ LIBRARY_VERSION = 1
 CARS = ['vehicle.audi.a2', 'vehicle.audi.etron', 'vehicle.bmw.grandtourer', 'vehicle.chevrolet.impala',
         'vehicle.lincoln.mkz_2017', 'vehicle.toyota.prius', 'vehicle.tesla.model3']
 TRUCKS = ['vehicle.carlamotors.european_hgv', 'vehicle.carlamotors.carlacola']
+PICKUPS = ['vehicle.tesla.cybertruck']
 MOTORCYCLES = ['vehicle.kawasaki.ninja', 'vehicle.yamaha.yzf']
 BICYCLES = ['vehicle.bh.crossbike', 'vehicle.gazelle.omafiets', 'vehicle.diamondback.century']
 PEDESTRIANS = ['walker.pedestrian.0001', 'walker.pedestrian.0002', 'walker.pedestrian.0003',

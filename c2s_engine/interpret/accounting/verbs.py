@@ -21,6 +21,8 @@ MEETS = frozenset(("detect", "sense", "confront", "encounter", "face", "spawn"))
 
 
 class Untold:
+    """The verbs of a scene that led to nothing in S."""
+
     def __init__(self, scene: Scene, known: set[int]) -> None:
         """`known`: the words that name who is in S."""
         self.scene, self.known = scene, known

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Sequence
 
-from c2s_engine.interpret.changes.forms import Found, name_of, quantity_of
+from c2s_engine.interpret.changes.forms import Found, quantity_of
 from c2s_engine.interpret.changes.refer import refer, spec_of
 from c2s_engine.interpret.changes.retold import read, scene
 from c2s_engine.interpret.reading import scan
@@ -40,15 +40,12 @@ def bound(clause: str, structure: Structure) -> Found | None:
     told = read(f"{scene(structure, clause)} {clause[:1].upper()}{clause[1:]}.")
     if told is None or len(told.objects) != len(structure.objects):
         return None
-    spec, old = told.restrictions.spec, structure.restrictions.spec
-    assert isinstance(spec, RestrictionsSpec) and isinstance(old, RestrictionsSpec)
     ids = {a.id: b.id for a, b in zip(told.objects, structure.objects, strict=True)}
-    limits = [m.model_copy(update={"subject": ids.get(m.subject, m.subject)}) for m in spec.limits]
+    limits = [m.model_copy(update={"subject": ids.get(m.subject, m.subject)}) for m in _limits(told)]
     if not limits:
         return None
-    kept = [m for m in old.limits if (m.kind, m.subject) not in {(n.kind, n.subject) for n in limits}]
-    said = "; ".join(_in_words(limit, structure) for limit in limits)
-    return [SetField(component="T", path="limits", value=(*kept, *limits))], said
+    kept = [m for m in _limits(structure) if (m.kind, m.subject) not in {(n.kind, n.subject) for n in limits}]
+    return [SetField(component="T", path="limits", value=(*kept, *limits))], _told(limits, structure)
 
 
 def contact(clause: str, structure: Structure) -> Found | None:
@@ -111,10 +108,3 @@ def _stem(word: str) -> str:
     if _CONTACT.fullmatch(word):
         return "touch"
     return re.sub(r"(?:ing|ed|es|s|e)$", "", word) if len(word) > 3 else word
-
-
-def _in_words(limit: Limit, structure: Structure) -> str:
-    who = name_of(structure["E" if limit.subject == "ego" else limit.subject])
-    least = [f"at least {limit.minimum:g} m/s2"] if limit.minimum is not None else []
-    most = [f"at most {limit.maximum:g} m/s2"] if limit.maximum is not None else []
-    return f"{who}: {limit.kind.replace('_', ' ')} of {' and '.join([*least, *most])}"

@@ -7,7 +7,6 @@ import pytest
 from c2s_engine import driving, paths
 from c2s_engine.check import library
 from c2s_engine.check.protocol import CheckRequest
-from c2s_engine.dryrun.runner import blueprint_classes
 from c2s_engine.saving import save
 from c2s_engine.structure.program import Program
 
@@ -112,8 +111,3 @@ def test_an_installed_one_that_does_not_compile_says_so(installed):
     row = text[: text.index("def need(car other):")].count("\n") + 1
     installed(text)
     assert f"{driving.FILE}, line {row}: this is not Scenic" in library.fault()
-
-
-def test_the_dry_run_knows_the_library_s_pickups():
-    known = {name for name, kind in blueprint_classes().items() if kind == "pickup"}
-    assert known == set(driving.constants()["PICKUPS"])

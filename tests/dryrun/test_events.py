@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
+from c2s_engine import driving
 from c2s_engine.dryrun.events.table import definitions
+from c2s_engine.dryrun.runner import blueprint_classes
 
 STEPS = 201
 
@@ -231,3 +233,8 @@ def test_who_crosses_the_lanes_changes_none(town, start, speed):
         driven = {"lane_change", "lane_change_left", "lane_change_right", "cut_in", "cut_out", "overtake", "drift"}
         assert not shown & driven, (s, shown & driven)
         assert "cross_road" in shown or start < 8
+
+
+def test_the_library_s_pickups_are_no_trucks():
+    known = {name for name, kind in blueprint_classes().items() if kind == "pickup"}
+    assert known == set(driving.constants()["PICKUPS"])

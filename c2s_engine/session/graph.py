@@ -14,7 +14,7 @@ from c2s_engine.session.improving import can_improve, improved, summed
 from c2s_engine.session.methods import Method, method_named
 from c2s_engine.session.places import demanded
 from c2s_engine.session.read_back import read_back
-from c2s_engine.session.requiring import judged
+from c2s_engine.session.requiring import check_and_judge
 from c2s_engine.session.solving import can_solve, solved
 from c2s_engine.session.steps import Tools
 from c2s_engine.solve.defaults import with_usual_reaction
@@ -169,10 +169,13 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
     async def check(state: State) -> State:
         from c2s_engine.structure.program import Program
 
-        report = await steps.check(
+        report, found = await check_and_judge(
+            structure_of(state),
             Program.model_validate(state["program"]),
             tools,
             get_stream_writer(),
+            map_name=state["map_name"],
+            room=state["room"],
             folder=state["folder"],
             upto=state.get("upto", "run"),  # type: ignore[arg-type]
             seed=state.get("seed", 0),
@@ -181,10 +184,6 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         )
         stages = [*state.get("stages", []), *(s.model_dump(mode="json") for s in report.stages)]
         kept = report.model_dump(mode="json", exclude={"trajectories"})
-        found = await judged(
-            structure_of(state), report, tools, map_name=state["map_name"], room=state["room"],
-            seed=state.get("seed", 0),
-        )  # fmt: skip
         return {"report": kept, "stages": stages, **found.as_state()}  # type: ignore[typeddict-item]
 
     async def solve(state: State) -> State:

@@ -7,7 +7,7 @@ from typing import Any
 from c2s_engine.models.errors import ModelError
 from c2s_engine.session import steps
 from c2s_engine.session.model_methods import ModelMethod
-from c2s_engine.session.requiring import Judged, judged
+from c2s_engine.session.requiring import Judged, check_and_judge
 from c2s_engine.session.steps import Emit, Tools
 from c2s_engine.session.trying import Tried
 from c2s_engine.structure.components import Structure
@@ -71,14 +71,11 @@ async def _tried(state: dict[str, Any], structure: Structure, tools: Tools, meth
     )
     if not result.ok:
         raise ValueError(result.diagnostics[0].message)
-    report = await steps.check(
-        program, tools, emit, folder=folder, upto="run", seed=state.get("seed", 0), runs=state.get("runs", 1),
-        trajectories=state.get("trajectories", False),
+    report, found_of = await check_and_judge(
+        structure, program, tools, emit, map_name=chosen.name, room=found.writer.room, folder=folder,
+        seed=state.get("seed", 0), runs=state.get("runs", 1), trajectories=state.get("trajectories", False),
     )  # fmt: skip
     where = {"folder": folder, "room": found.writer.room, "map_name": chosen.name, "places": found.count}
-    found_of = await judged(
-        structure, report, tools, map_name=chosen.name, room=found.writer.room, seed=state.get("seed", 0)
-    )
     return Tried(structure, program, written, [resolved, result], report, found_of, where)
 
 

@@ -1,22 +1,26 @@
 """The requirements of S and what the runs of its program showed of them; the run with ego's reaction switched off."""
 
+import asyncio
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from c2s_engine.check.protocol import CheckReport
+from c2s_engine.check.protocol import CheckReport, Upto
 from c2s_engine.session import steps
 from c2s_engine.session.places import map_choice
-from c2s_engine.session.steps import Tools
+from c2s_engine.session.steps import Emit, Tools
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import Trajectories
 from c2s_engine.structure.measures import Measures
-from c2s_engine.structure.program import assemble
+from c2s_engine.structure.program import Program, assemble
 from c2s_engine.structure.requirements import Requirement, Result, Run
 from c2s_engine.structure.specs import RestrictionsSpec
 from c2s_engine.write.typed import TypedWriter
 
 LONGEST = 20.0
 """s for which the run without ego's reaction goes on."""
+KEPT = 8
+"""Programs whose runs without ego's reaction are kept: one that only ends at another time has the same."""
 
 
 @dataclass(frozen=True)
@@ -37,16 +41,41 @@ class Judged:
         }
 
 
+async def check_and_judge(structure: Structure, program: Program, tools: Tools, emit: Emit, *, map_name: str,
+                          room: float, folder: str, upto: Upto = "run", seed: int = 0, runs: int = 1,
+                          trajectories: bool = True) -> tuple[CheckReport, Judged]:  # fmt: skip
+    """Check a program and judge its runs by S; the runs without ego's reaction are made beside."""
+    beside = asyncio.create_task(
+        _without_reaction(structure, tools, map_name=map_name, room=room, seed=seed, runs=runs,
+                          seconds=max(LONGEST, steps.own_length(program)))
+    ) if upto == "run" else None  # fmt: skip
+    try:
+        report = await steps.check(program, tools, emit, folder=folder, upto=upto, seed=seed, runs=runs,
+                                   trajectories=trajectories)  # fmt: skip
+        without = await beside if beside is not None and report.facts else []
+    finally:
+        if beside is not None:
+            beside.cancel()
+    return report, by_its_runs(structure, report, without)
+
+
 async def judged(structure: Structure, report: CheckReport, tools: Tools, *, map_name: str, room: float = 1.0,
                  seed: int = 0) -> Judged:  # fmt: skip
     """Derive and evaluate; nothing where nothing ran. `report` holds the trajectories of its runs."""
-    from c2s_engine.require import evaluate, majority, require, whole
-
     if not report.facts:
         return Judged()
     longest = max(LONGEST, *(f.duration for f in report.facts))
     without = await _without_reaction(structure, tools, map_name=map_name, room=room, seed=seed,
                                       runs=len(report.facts), seconds=longest)  # fmt: skip
+    return by_its_runs(structure, report, without)
+
+
+def by_its_runs(structure: Structure, report: CheckReport, without: Sequence[Run]) -> Judged:
+    """What the report's runs showed of what S requires; `without`: each of them without ego's reaction."""
+    from c2s_engine.require import evaluate, majority, require, whole
+
+    if not report.facts:
+        return Judged()
     requirements = require(structure)
     columns = [
         evaluate(requirements, run.facts, run.trajectories, without[k] if k < len(without) else None)
@@ -77,9 +106,14 @@ async def _without_reaction(structure: Structure, tools: Tools, *, map_name: str
         return []
     # all others start and drive as in the scene that is judged, for as long as it takes to see what comes of it
     blind = assemble(structure.with_component(ego[0].ego).with_component(going_on[0].restrictions))
-    report = await steps.check(blind, tools, steps.silent, folder=str(chosen.path.parent), upto="run", seed=seed,
-                               runs=runs, trajectories=True)  # fmt: skip
-    return runs_of(report)
+    key = blind.text, str(chosen.path), seed, runs
+    if key not in tools.blind:
+        report = await steps.check(blind, tools, steps.silent, folder=str(chosen.path.parent), upto="run", seed=seed,
+                                   runs=runs, trajectories=True)  # fmt: skip
+        tools.blind[key] = runs_of(report)
+        while len(tools.blind) > KEPT:
+            tools.blind.pop(next(iter(tools.blind)))
+    return tools.blind[key]
 
 
 def _going_on(structure: Structure, seconds: float) -> Structure:

@@ -5,7 +5,7 @@ from typing import Any
 
 from c2s_engine.session import steps
 from c2s_engine.session.places import map_choice
-from c2s_engine.session.requiring import judged
+from c2s_engine.session.requiring import check_and_judge
 from c2s_engine.session.steps import Emit, Tools
 from c2s_engine.session.trying import Tried
 from c2s_engine.solve import Outcome, solve, widened
@@ -51,11 +51,12 @@ class Trials:
         structure, program, written, result = steps.write(structure, [], self.writer, steps.silent)
         if not result.ok:
             return None
-        report = await steps.check(program, self.tools, steps.silent, folder=state["folder"], upto="run", seed=seed,
-                                   runs=runs, trajectories=True)  # fmt: skip
+        report, found = await check_and_judge(
+            structure, program, self.tools, steps.silent, map_name=state["map_name"], room=state["room"],
+            folder=state["folder"], seed=seed, runs=runs,
+        )  # fmt: skip
         if not report.ok or not any(f.ran for f in report.facts):
             return None
-        found = await judged(structure, report, self.tools, map_name=state["map_name"], room=state["room"], seed=seed)
         kept = Tried(structure, program, written, [result], report, found, {})
         return Outcome(structure, found.requirements, found.results, kept)
 

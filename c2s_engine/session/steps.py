@@ -18,6 +18,7 @@ from c2s_engine.structure.edits import Edit, EditError, apply
 from c2s_engine.structure.program import Program, assemble
 from c2s_engine.structure.progress import ComponentState, ProgramChanged, Progress, RunDone, StageDone, StageStarted
 from c2s_engine.structure.regenerate import FragmentWriter, dirty, regenerate
+from c2s_engine.structure.requirements import Run
 from c2s_engine.write.by_hand import with_offers
 from c2s_engine.write.typed import TypedWriter
 
@@ -32,6 +33,8 @@ class Tools:
     library: MapLibrary
     check: CheckClient
     extra: dict[str, Any] = field(default_factory=dict)
+    blind: dict[tuple[str, str, int, int], list[Run]] = field(default_factory=dict)
+    """The last runs without ego's reaction, by program, map, seed and count."""
 
 
 def silent(event: Progress) -> None:
@@ -44,7 +47,13 @@ def timed(name: Any, started: float, diagnostics: tuple[Diagnostic, ...] = ()) -
 
 
 async def configure(
-    structure: Structure, tools: Tools, emit: Emit, *, given: str | None, needed: bool = True, lenient: bool = False,
+    structure: Structure,
+    tools: Tools,
+    emit: Emit,
+    *,
+    given: str | None,
+    needed: bool = True,
+    lenient: bool = False,
     strict: bool = False,
 ) -> tuple[Structure, Resolution, StageResult]:
     """Choose the map and resolve the place on it; what was chosen for want of words goes to G's `assumed`.
@@ -106,7 +115,7 @@ def _state(component: Component) -> ComponentState:
     return ComponentState(component=component, state="by_hand" if component.origin == "by_hand" else "clean")
 
 
-def _own_length(program: Program) -> float:
+def own_length(program: Program) -> float:
     """The s after which a program says that it ends, 0 where it says nothing."""
     said = re.findall(r"^terminate after ([\d.]+) seconds", program.text, re.MULTILINE)
     return max(map(float, said), default=0.0)
@@ -135,7 +144,7 @@ async def check(
         upto=upto,
         seed=seed,
         runs=runs,
-        seconds=max(tools.settings.seconds, _own_length(program)),
+        seconds=max(tools.settings.seconds, own_length(program)),
         trajectories=trajectories or upto == "run",
         trust=trust,
         allow=tools.settings.allow,

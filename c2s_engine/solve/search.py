@@ -58,18 +58,21 @@ async def solve(first: Outcome, evaluate: Evaluate, room: float, *, most: int = 
     best, tried = first, 0
     known = [_Known(first, _open_values(first.structure, room, freed))]
     seen = [known[0].values]
+    without_room: list[dict[Field, float]] = []
     while best.failing and tried < most:
-        better = None
+        better, now = None, _open_values(best.structure, room, freed)
         for changed in _candidates(best, known, room, freed):
             values = _open_values(changed, room, freed)
-            if values in seen or tried >= most:
+            if values in seen or tried >= most or any(_beyond(values, w, now) for w in without_room):
                 continue
             seen.append(values)
             tried += 1
             found = await evaluate(changed)
-            if found is not None:
-                known.append(_Known(found, values))
-            if found is not None and found.score > best.score:
+            if found is None:
+                without_room.append(values)
+                continue
+            known.append(_Known(found, values))
+            if found.score > best.score:
                 better = found
                 break
         if better is None:
@@ -84,6 +87,14 @@ class _Known:
 
     outcome: Outcome
     values: dict[Field, float]
+
+
+def _beyond(values: dict[Field, float], other: dict[Field, float], ran: dict[Field, float]) -> bool:
+    """Whether values go as far as those of another that does not run, or further, in what sets that apart from one that
+    ran, and are the same in all else but the run's length."""
+    apart = {field: value - ran.get(field, value) for field, value in other.items() if field[0] != "T"}
+    beyond = {field: values.get(field, math.nan) - other[field] for field in apart}
+    return any(apart.values()) and all(beyond[f] * by >= 0 if by else beyond[f] == 0 for f, by in apart.items())
 
 
 def _candidates(outcome: Outcome, known: Sequence[_Known], room: float,

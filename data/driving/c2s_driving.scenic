@@ -1012,15 +1012,13 @@ def up_to(rest, speed, rate=2.5):
 
 def _stop_line(lane):
     """How far along a lane (m) its stop line lies: before the crosswalk at its end, if there is one."""
-    line, end = lane.centerline.lineString, lane.centerline.length
-    spots = [line.project(spot) for spot in map_facts().crosswalks if line.distance(spot) < 12]
-    return min([s for s in spots if end - 14 < s < end - 0.5], default=end + 2) - 3
+    return min(_crosswalk_of(lane) - 3, lane.centerline.length - 1)
 
 stop_line = distributionFunction(_stop_line)
 
 def _crosswalk_of(lane):
-    """How far along a lane (m) the middle of the crosswalk at its end lies."""
-    return _stop_line(lane) + 3
+    """How far along a lane, or straight on beyond it, (m) the middle of the crosswalk at its end lies."""
+    return map_facts().crosswalk_on(lane) or lane.centerline.length + 2
 
 crosswalk_of = distributionFunction(_crosswalk_of)
 
@@ -1255,7 +1253,7 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
         if {None: True, 3: junction.is3Way, 4: junction.is4Way}[arms]:
             found += [m for m in junction.maneuvers if turn in (None, m.type)
                       and (control not in ('stop', 'yield') or facts.sign(m.startLane, junction) == control)
-                      and crosswalk in (None, facts.crosswalk_at(m.startLane))]
+                      and crosswalk in (None, facts.crosswalk_on(m.startLane) is not None)]
     found = [m for m in found if all(any(o.type is way for o in m.startLane.maneuvers) for way in also)]
     minor = control is None and any(other.sign and other.side != 'opposite' for other in others)
     if minor:  # whom others have to give way to has no sign itself
@@ -1470,7 +1468,7 @@ def _posted(places, limit):
 class MapFacts(object):
     """Read from a map's OpenDRIVE file; roads and junctions by their ids.
 
-    limits: of roads, m/s; signs: 'signal', 'stop' or 'yield' by (junction, road into it); crosswalks: their middles, and
+    limits: of roads, m/s; signs: 'signal', 'stop' or 'yield' by (junction, road into it); crosswalks: their outlines, and
     `crossed`: roads with one between their junctions, `between_junctions`: those, as (road, point); motorways, ramps
     (on_ramps, off_ramps): roads; intersections, roundabouts: junctions.
     """
@@ -1501,11 +1499,14 @@ class MapFacts(object):
             return not lights and all(j != junction.id for j, _ in self.signs)
         return lights != (control == 'dark') if control in ('signal', 'dark') else True
 
-    def crosswalk_at(self, lane):
-        """Whether a crosswalk lies at the end of a lane."""
-        ends = lane.road.centerline[0], lane.road.centerline[-1]
-        end = min(ends, key=lambda point: (distance from point to lane.centerline[-1]))
-        return any(math.hypot(end.x - spot.x, end.y - spot.y) < 12 for spot in self.crosswalks)
+    def crosswalk_on(self, lane):
+        """How far along a lane, or straight on beyond it, (m) the middle of the crosswalk at its end lies; None: there is
+        none."""
+        last, length = lane.centerline.pointAlongBy(lane.centerline.length - 1), lane.centerline.length
+        end = lane.centerline[-1]
+        way = shapely.geometry.LineString([*[(p.x, p.y) for p in lane.centerline], (13 * end.x - 12 * last.x, 13 * end.y - 12 * last.y)])
+        across = [way.intersection(outline) for outline in self.crosswalks]
+        return min([s for s in [way.project(spot.centroid) for spot in across if spot] if s > length - 14], default=None)
 
     def _read_road(self, element, road, outside):
         speed, kind = element.find('type/speed'), element.find('type')
@@ -1519,10 +1520,10 @@ class MapFacts(object):
         if outside and fast and max(len(group.lanes) for group in road.laneGroups) > 1:
             self.motorways.add(road.id)
         for crosswalk in element.iterfind("objects/object[@type='crosswalk']"):
-            s, spot = float(crosswalk.get('s')), _middle(crosswalk, road)
-            self.crosswalks.append(spot)
+            s, outline = float(crosswalk.get('s')), _outline(crosswalk, road)
+            self.crosswalks.append(outline)
             if outside and 40 < s < road.centerline.length - 40:
-                self.between_junctions.append((road, spot))
+                self.between_junctions.append((road, outline.centroid))
 
     def _read_signs(self, root):
         kinds, into, of_way = {}, {}, {}
@@ -1600,18 +1601,17 @@ def _turn(lane):
     """By how much a lane turns from its beginning to its end: rad, to the left."""
     return begin(lane).angleWith(lane.centerline[-1] - lane.centerline[-2])
 
-def _middle(element, road):
-    """The middle of an object at a road, from its outline."""
+def _outline(element, road):
+    """The outline of a crosswalk of a road; a spot where none is drawn."""
     s, t, turned = (float(element.get(name) or 0) for name in ('s', 't', 'hdg'))
     line = road.centerline
     spot, onward = line.pointAlongBy(min(s, line.length)), line.pointAlongBy(min(s + 1, line.length))
     before = line.pointAlongBy(max(min(s, line.length) - 1, 0))
     heading = math.atan2(onward.y - before.y, onward.x - before.x)
     corners = [(float(c.get('u')), float(c.get('v'))) for c in element.iter('cornerLocal')] or [(0, 0)]
-    u, v = (sum(values) / len(corners) for values in zip(*corners))
-    x = spot.x - t * math.sin(heading) + u * math.cos(heading + turned) - v * math.sin(heading + turned)
-    y = spot.y + t * math.cos(heading) + u * math.sin(heading + turned) + v * math.cos(heading + turned)
-    return shapely.geometry.Point(x, y)
+    cos, sin = math.cos(heading + turned), math.sin(heading + turned)
+    return shapely.geometry.MultiPoint([(spot.x - t * math.sin(heading) + u * cos - v * sin,
+                                         spot.y + t * math.cos(heading) + u * sin + v * cos) for u, v in corners]).convex_hull
 
 def _rings(network):
     """The ids of junctions on a circle of one-way roads that bend to the left."""

@@ -91,7 +91,7 @@ def test_what_the_library_reads_from_the_file_is_what_the_engine_reads(names, ex
     assert facts.intersections == extras.of_kind("intersection") and facts.roundabouts == extras.of_kind("roundabout")
     assert len(facts.crosswalks) == len(extras.crosswalks)
     for crosswalk in extras.crosswalks:
-        assert min(math.dist(crosswalk.centre, (spot.x, spot.y)) for spot in facts.crosswalks) < 0.3
+        assert min(math.dist(crosswalk.centre, (o.centroid.x, o.centroid.y)) for o in facts.crosswalks) < 0.3
 
 
 def test_the_ramp_or_the_motorway_beside_it(names):

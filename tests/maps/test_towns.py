@@ -2,14 +2,17 @@
 
 import math
 import os
+import shutil
 from functools import cache
 from pathlib import Path
 
 import pytest
+import shapely
 import yaml
 
 from c2s_engine.maps.expressions import survey
 from c2s_engine.maps.extras import MapExtras, read_extras
+from tests.maps.conftest import names_on, places
 
 HERE = Path(__file__).parent
 FOLDERS = (os.environ.get("C2S_SHARED_MAPS", ""), str(HERE.parents[2] / "shared" / "maps"))
@@ -118,3 +121,17 @@ def test_programs_read_the_same_from_a_town_s_file_as_the_engine(server, name):
         "crosswalks": f"[0] * abs(len({facts}.crosswalks) - {len(extras.crosswalks)})",
     }
     assert counts(server, name, expected) == dict.fromkeys(expected, 0)
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("name", ["Town04", "Town07", "Town10HD"])
+def test_the_crosswalk_at_a_junction_is_where_it_is_drawn(name, tmp_path):
+    """Also beyond the end of ego's lane, as on these towns; one over another arm is not the one at ego's line."""
+    names = names_on(shutil.copy(TOWNS / f"{name}.xodr", tmp_path))
+    outlines = [shapely.Polygon(c.polygon) for c in town(name).crosswalks]
+    found = places(names, kind="intersection", crosswalk=True)
+    assert found
+    for lane in (place.lane for place in found):
+        spot = names["beside"](lane.centerline, lane, names["crosswalk_of"](lane), 0)
+        assert any(outline.contains(shapely.Point(spot.x, spot.y)) for outline in outlines)
+        assert names["stop_line"](lane) <= min(names["crosswalk_of"](lane) - 3, lane.centerline.length - 1)

@@ -110,6 +110,27 @@ async def test_the_length_of_the_run_is_found_at_once():
     assert asked == [11.0] and not best.failing
 
 
+async def test_what_goes_further_than_what_does_not_run_is_not_tried():
+    asked = []
+
+    async def evaluate(structure: Structure) -> Outcome | None:
+        asked.append(
+            next(u.value for u in unknowns(structure, usual_values(structure, 1.0)) if u.path == "placement.gap")
+        )
+        return None if asked[-1] > 50 else outcome(structure, ("shown", -1.0, None), ("threatens", -1.0, None))
+
+    structure = lead(speed=14.0, placement=Placement(gap=40.0)).with_spec("T", duration=15.0)
+    structure = structure.with_spec(
+        "O1", phases=(Phase(action="brake", rate=6.0, trigger=Trigger(kind="time", value=3.0)),)
+    )
+    note = Assumption(field="placement.gap", value="40 m", reason="left open")
+    structure = structure.with_component(structure["O1"].model_copy(update={"assumed": (note,)}))
+    first = outcome(structure, ("shown", -1.0, None), ("threatens", -1.0, None))
+    of = tuple(r.model_copy(update={"actor": "O1", "component": "O1", "other": "O1"}) for r in first.requirements)
+    await solve(Outcome(structure, of, first.results), evaluate, 1.0)
+    assert [gap > 50 for gap in asked].count(True) == 1 and len(asked) > 1
+
+
 async def test_nothing_better_leaves_the_first():
     first = outcome(lead(), ("first_event", -1.0, 1.0), ("threatens", -1.0, None))
 

@@ -31,6 +31,8 @@ class Judged:
     results: tuple[Result, ...] = ()
     measures: tuple[Measures, ...] = ()  # one a run that has tracks
     whole: float = 0.0
+    runs: tuple[Run, ...] = ()
+    without: tuple[Run, ...] = ()  # the same without ego's reaction, where S says a conflict
 
     def as_state(self) -> dict[str, Any]:
         """As plain data for the graph's state."""
@@ -56,7 +58,9 @@ async def check_and_judge(structure: Structure, program: Program, tools: Tools, 
     finally:
         if beside is not None:
             beside.cancel()
-    return report, by_its_runs(structure, report, without)
+    found = by_its_runs(structure, runs_of(report), without)
+    tools.seen = program.text, found
+    return report, found
 
 
 async def judged(structure: Structure, report: CheckReport, tools: Tools, *, map_name: str, room: float = 1.0,
@@ -67,29 +71,33 @@ async def judged(structure: Structure, report: CheckReport, tools: Tools, *, map
     longest = max(LONGEST, *(f.duration for f in report.facts))
     without = await _without_reaction(structure, tools, map_name=map_name, room=room, seed=seed,
                                       runs=len(report.facts), seconds=longest)  # fmt: skip
-    return by_its_runs(structure, report, without)
+    return by_its_runs(structure, runs_of(report), without)
 
 
-def by_its_runs(structure: Structure, report: CheckReport, without: Sequence[Run]) -> Judged:
-    """What the report's runs showed of what S requires; `without`: each of them without ego's reaction."""
+def by_its_runs(structure: Structure, runs: Sequence[Run], without: Sequence[Run]) -> Judged:
+    """What runs showed of what S requires; `without`: each of them without ego's reaction."""
     from c2s_engine.require import evaluate, majority, require, whole
 
-    if not report.facts:
+    if not runs:
         return Judged()
     requirements = require(structure)
     columns = [
         evaluate(requirements, run.facts, run.trajectories, without[k] if k < len(without) else None)
-        for k, run in enumerate(runs_of(report))
+        for k, run in enumerate(runs)
     ]
     share = sum(map(whole, columns)) / len(columns)
-    return Judged(requirements, majority(columns), measures_of(report), share)
+    return Judged(requirements, majority(columns), _measures(runs), share, tuple(runs), tuple(without))
 
 
 def measures_of(report: CheckReport) -> tuple[Measures, ...]:
     """The measures of each run that has tracks."""
+    return _measures(runs_of(report))
+
+
+def _measures(runs: Sequence[Run]) -> tuple[Measures, ...]:
     from c2s_engine.require.measured import measured
 
-    return tuple(measured(run.facts, run.trajectories) for run in runs_of(report) if run.trajectories.tracks)
+    return tuple(measured(run.facts, run.trajectories) for run in runs if run.trajectories.tracks)
 
 
 async def _without_reaction(structure: Structure, tools: Tools, *, map_name: str, room: float, seed: int,

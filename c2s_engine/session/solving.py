@@ -5,11 +5,12 @@ from typing import Any
 
 from c2s_engine.session import steps
 from c2s_engine.session.places import map_choice
-from c2s_engine.session.requiring import check_and_judge
+from c2s_engine.session.requiring import Judged, by_its_runs, check_and_judge
 from c2s_engine.session.steps import Emit, Tools
 from c2s_engine.session.trying import Tried
 from c2s_engine.solve import Outcome, solve, widened
 from c2s_engine.solve.search import MOST
+from c2s_engine.solve.shortened import cut, shorter
 from c2s_engine.solve.widening import RUNS
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import RunFacts
@@ -44,6 +45,18 @@ class Trials:
     def __init__(self, state: dict[str, Any], tools: Tools):
         self.state, self.tools = state, tools
         self.writer = TypedWriter(map_choice(tools.library, tools.library.find(state["map_name"])), room=state["room"])
+        self.seen: list[tuple[Structure, Judged]] = []
+        if tools.seen is not None and tools.seen[0] == state["program"]["text"]:
+            self.seen.append((Structure.model_validate(state["structure"]), tools.seen[1]))
+
+    async def foreseen(self, structure: Structure) -> Outcome | None:
+        """What it comes to; where it only ends earlier than what ran, what that shows by then: nothing is kept."""
+        for other, found in self.seen:
+            if seconds := shorter(structure, other):
+                ways, without = [cut(run, seconds) for run in found.runs], found.without
+                cut_short = by_its_runs(structure, ways, without)
+                return Outcome(structure, cut_short.requirements, cut_short.results)
+        return await self.run(structure)
 
     async def run(self, structure: Structure, runs: int = 1) -> Outcome | None:
         """What it comes to; None where it does not run."""
@@ -57,6 +70,7 @@ class Trials:
         )  # fmt: skip
         if not report.ok or not any(f.ran for f in report.facts):
             return None
+        self.seen.append((structure, found))
         kept = Tried(structure, program, written, [result], report, found, {})
         return Outcome(structure, found.requirements, found.results, kept)
 
@@ -71,7 +85,7 @@ async def solved(state: dict[str, Any], tools: Tools, emit: Emit) -> dict[str, A
         tuple(Requirement.model_validate(r) for r in state["requirements"]),
         tuple(Result.model_validate(r) for r in state["results"]),
     )
-    best = await solve(first, trials.run, room, most=MOST if _is_new(state) else AFTER_EDIT)
+    best = await _found(first, trials, room, MOST if _is_new(state) else AFTER_EDIT)
     if state.get("widen") and not best.failing:
         best = await _varied(best, trials, room, runs)
     elif best is not first and runs > 1:
@@ -84,6 +98,17 @@ async def solved(state: dict[str, Any], tools: Tools, emit: Emit) -> dict[str, A
     kept: Tried = best.kept
     kept.show(emit, tracks=state.get("trajectories", False))
     return kept.update({**state, "stages": stages}, upto=("interpret", "resolve", "solve"))
+
+
+async def _found(first: Outcome, trials: Trials, room: float, most: int) -> Outcome:
+    """The best that the search finds, run; where it does not show what was foreseen, found by runs alone."""
+    best = await solve(first, trials.foreseen, room, most=most)
+    if best is first or best.kept is not None:
+        return best
+    ran = await trials.run(best.structure)
+    if ran is not None and ran.score >= best.score:
+        return ran
+    return await solve(first, trials.run, room, most=most)
 
 
 async def _varied(best: Outcome, trials: Trials, room: float, runs: int) -> Outcome:

@@ -4,7 +4,7 @@ import re
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from c2s_engine.check.client import CheckClient, CheckError
 from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits, Upto
@@ -22,6 +22,9 @@ from c2s_engine.structure.requirements import Run
 from c2s_engine.write.by_hand import with_offers
 from c2s_engine.write.typed import TypedWriter
 
+if TYPE_CHECKING:
+    from c2s_engine.session.requiring import Judged
+
 Emit = Callable[[Progress], None]
 
 
@@ -35,6 +38,8 @@ class Tools:
     extra: dict[str, Any] = field(default_factory=dict)
     blind: dict[tuple[str, str, int, int], list[Run]] = field(default_factory=dict)
     """The last runs without ego's reaction, by program, map, seed and count."""
+    seen: "tuple[str, Judged] | None" = None
+    """The program that was judged last, and what its runs showed."""
 
 
 def silent(event: Progress) -> None:

@@ -131,7 +131,9 @@ def _along(outcome: Outcome, other: _Known, open_: Sequence[Unknown]) -> Iterato
         inside = INSIDE * (high - low) if math.isfinite(high - low) else 0.0
         goal = low + inside if result.value < low else high - inside
         slope = (before - result.value) / (other.values[unknown.component, unknown.path] - unknown.value)
-        yield unknown.set_to(unknown.value + (goal - result.value) / slope, 2)
+        due = unknown.value + (goal - result.value) / slope
+        if unknown.limits[0] <= due <= unknown.limits[1]:
+            yield unknown.set_to(due, 2)
 
 
 def _with(structure: Structure, move: Move) -> Structure:

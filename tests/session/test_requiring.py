@@ -1,8 +1,9 @@
-"""The run without ego's reaction: made beside the run that is judged, and once for programs that only end otherwise."""
+"""The run without ego's reaction is made beside the run that is judged; what only ends earlier is foreseen."""
 
 from c2s_engine.session import steps
 from c2s_engine.session.places import map_choice
-from c2s_engine.session.requiring import KEPT, check_and_judge
+from c2s_engine.session.requiring import KEPT, by_its_runs, check_and_judge
+from c2s_engine.solve.shortened import cut, shorter
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, RestrictionsSpec
 from c2s_engine.write.typed import TypedWriter
@@ -26,20 +27,32 @@ async def test_a_run_that_only_ends_at_another_time_has_the_same_without_reactio
 
     monkeypatch.setattr(engine.tools.check, "check", counted)
     found = []
-    for seconds in (16.0, 12.0, 12.0):
+    for seconds in (14.0, 12.0, 12.0):
         changed = STRUCTURE.with_spec("T", duration=seconds)
         structure, program, _, _ = steps.write(changed, [], TypedWriter(chosen, room=1.0), steps.silent)
-        _, judged = await check_and_judge(structure, program, engine.tools, steps.silent, map_name=chosen.name, room=1.0,
-                                          folder=str(chosen.path.parent), seed=7)  # fmt: skip
-        found.append({r.requirement: r.holds for r in judged.results if r.requirement.startswith("O1.threat")})
-    assert len(asked) == 4 and found[0] == found[1] == found[2]
-    assert 0 < len(engine.tools.blind) <= KEPT
+        _, judged = await check_and_judge(
+            structure,
+            program,
+            engine.tools,
+            steps.silent,
+            map_name=chosen.name,
+            room=1.0,
+            folder=str(chosen.path.parent),
+            seed=7,
+        )
+        found.append((structure, judged))
+    assert len(asked) == 4 and 0 < len(engine.tools.blind) <= KEPT
+    (long, by_long), (short, by_short), _ = found
+    assert shorter(short, long) == 12.0 and shorter(short, long.with_spec("E", speed=13.0)) is None
+    foreseen = by_its_runs(short, [cut(run, 12.0) for run in by_long.runs], by_long.without)
+    assert foreseen.results == by_short.results
 
 
 async def test_a_program_that_does_not_compile_has_no_run_to_compare(engine):
     chosen = map_choice(engine.library, engine.library.find("town"))
     structure, program, _, _ = steps.write(STRUCTURE, [], TypedWriter(chosen, room=1.0), steps.silent)
     broken = program.model_copy(update={"text": program.text + "\nego = new Nothing\n"})
-    report, judged = await check_and_judge(structure, broken, engine.tools, steps.silent, map_name=chosen.name, room=1.0,
-                                           folder=str(chosen.path.parent))  # fmt: skip
+    report, judged = await check_and_judge(
+        structure, broken, engine.tools, steps.silent, map_name=chosen.name, room=1.0, folder=str(chosen.path.parent)
+    )
     assert not report.ok and not judged.results

@@ -1,5 +1,7 @@
 """The lines that close a turn in the chat."""
 
+from collections import Counter
+
 from c2s_engine.structure.components import given_up
 from c2s_engine.structure.requirements import failures, tally
 from c2s_tui.desk import Desk
@@ -36,7 +38,7 @@ def summary(desk: Desk, back: str = "") -> tuple[str, str]:
         parts += passed[-1:]
     seen, required = tally(desk.results)
     if required:
-        parts.append(f"{seen} of {required} requirements met")
+        parts.append(f"{seen} of {required} requirements met{_fewer(desk)}")
     left = given_up(desk.structure)
     if left and desk.stages:
         parts.append(f"given up: {', '.join(left)}")
@@ -46,3 +48,14 @@ def summary(desk: Desk, back: str = "") -> tuple[str, str]:
     kind = "error" if failed is not None or unasked else "warning" if required and seen < required or left else "note"
     missed = failures(desk.requirements, desk.results)
     return "\n".join([*hits, "; ".join(parts), *missed[:MISSED]]), kind
+
+
+def _fewer(desk: Desk) -> str:
+    """Of which components that are still there fewer requirements are made than before; of code by hand, why."""
+    before, now = (Counter(r.component for r in asked) for asked in (desk.required_before, desk.requirements))
+    fewer = {c.id: before[c.id] - now[c.id] for c in desk.structure.components if before[c.id] > now[c.id]}
+    if not fewer:
+        return ""
+    hand = [cid for cid in fewer if desk.structure[cid].origin == "by_hand"]
+    why = f"; of {', '.join(hand)}, by hand, only what is read from the code" if hand else ""
+    return f" ({', '.join(f'{n} fewer of {cid}' for cid, n in fewer.items())} than before{why})"

@@ -216,7 +216,7 @@ def _one(field: Field, text: str) -> Any:
     if field.choices:
         wanted = text.lower().replace(" ", "_")
         close = [c for c in field.choices if c.lower() == wanted] or [
-            c for c in field.choices if c.lower().startswith(wanted)
+            c for c in field.choices if len(wanted) > 1 and c.lower().startswith(wanted)
         ]
         if len(close) != 1 and wanted not in field.choices:
             raise EditError(f"{field.label} is one of {', '.join(field.choices)}")

@@ -106,6 +106,8 @@ class FieldEditor(Vertical):
             text = next((line.value for line in self.query(Input)), self.row.text)
             return Content.assemble((text, "$text"), "\n", said) if self._hides(text) else said
         parts = [self.field.about] if self.field and self.field.about else []
+        if self._appends:
+            parts.append("what is typed is added at the end, several with commas between them")
         if choices := self._choices():
             rest = len(choices) - SHOWN_CHOICES
             more = f" and {rest} more" if rest > 0 else ""
@@ -123,12 +125,14 @@ class FieldEditor(Vertical):
         field = self.field
         assert field
         if self._appends:
-            item = Field(field.path, None, False, choices=self._item_choices())
-            chosen = parse(item, text)
-            if chosen is None:
-                raise EditError(f"say which: {', '.join(item.choices[:SHOWN_CHOICES])}")
+            chosen = parse(Field(field.path, None, False, many=True, choices=self._item_choices()), text)
+            if not chosen:
+                raise EditError(f"say which: {', '.join(self._item_choices()[:SHOWN_CHOICES])}")
             name = "action" if "action" in self._first_names() else "kind"
-            return SetField(component=self.row.cid, path=f"{field.path}.{len(field.value)}", value={name: chosen})
+            items = [{name: each} for each in chosen]
+            if len(items) > 1:
+                return SetField(component=self.row.cid, path=field.path, value=[*field.value, *items])
+            return SetField(component=self.row.cid, path=f"{field.path}.{len(field.value)}", value=items[0])
         value = parse(field, text)
         head = head_name(self.spec, field.path) if value is not None and field.value is None else None
         if head:

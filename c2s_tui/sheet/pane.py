@@ -11,6 +11,7 @@ from textual.widgets import Input
 
 from c2s_engine.structure.edits import AddObject, MoveObject, RemoveObject, SetCode, SetField
 from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.values import fields
 from c2s_engine.structure.vocabulary import ObjectType
 from c2s_tui.desk import Desk
 from c2s_tui.in_order import OrderedLine
@@ -36,7 +37,7 @@ class SheetPane(VerticalScroll):
         Binding("end", "end(-1)", "Last", show=False, id="sheet.last", tooltip="Last row"),
         Binding("enter,e", "enter", "Edit", id="sheet.edit", tooltip="Edit the field, open or close the component"),
         Binding("space", "fold", "All fields", id="sheet.fold", tooltip="Show all fields, or the set ones"),
-        Binding("a,plus", "add", "Add", id="sheet.add", tooltip="Add an object"),
+        Binding("a,plus", "add", "Add", id="sheet.add", tooltip="Add an object; on a phase, one more"),
         Binding("x,delete", "remove", "Remove", id="sheet.remove", tooltip="Remove the object, or unset the field"),
         Binding("shift+up,K", "reorder(-1)", "Earlier", show=False, id="sheet.earlier", tooltip="Move the object up"),
         Binding("shift+down,J", "reorder(1)", "Later", show=False, id="sheet.later", tooltip="Move the object down"),
@@ -249,12 +250,25 @@ class SheetPane(VerticalScroll):
     async def action_add(self) -> None:
         if self.query("#new-object"):
             return
+        if (row := self.here) is not None and row.field is not None and (many := self._list_of(row)):
+            self.unfolded.add(row.cid)
+            self._lay()
+            self._go(next(i for i, each in enumerate(self.rows) if each.key == many))
+            self._edit(self.rows[self.cursor])
+            return
         self._ahead = ""
         words = "a type (car, pedestrian, cone ...) or a sentence"
         line = OrderedLine(placeholder=words, id="new-object", compact=True)
         await self.mount(line)
         self._reveal()
         self.pass_on()
+
+    def _list_of(self, row: Row) -> str:
+        """The key of the row at which a part is added to a list, from a field of that (a phase); else nothing."""
+        assert row.field is not None
+        first = row.field.path.split(".")[0]
+        known = fields(self.desk.structure[row.cid].spec)
+        return f"{row.cid}:{first}" if any(f.path == first and f.many and not f.leaf for f in known) else ""
 
     @on(Input.Submitted, "#new-object")
     async def _new_object(self, event: Input.Submitted) -> None:

@@ -181,6 +181,19 @@ async def test_a_phase_is_added_and_removed(stage):
         await stage.idle(pilot)
 
 
+async def test_phases_are_added_from_a_phase_several_at_once(stage):
+    async with stage.described() as pilot:
+        await stage.to_row(pilot, "O1:phases.0")
+        await pilot.press("a")
+        await stage.until(pilot, lambda: stage.bench.sheet.editor)
+        await pilot.press("w", "enter")  # no action, and too short to be the beginning of one
+        assert len(stage.bench.desk.structure["O1"].spec.phases) == 1 and stage.bench.sheet.editor
+        await stage.type_over(pilot, "brake, stop")
+        await stage.idle(pilot)
+        phases = stage.bench.desk.structure["O1"].spec.phases
+        assert [p.action for p in phases] == ["cut_in", "brake", "stop"]
+
+
 async def test_newer_edits_take_along_those_still_being_written(stage):
     async with stage.described() as pilot:
         stage.engine.gate, stage.engine.gated_at = threading.Event(), "write"

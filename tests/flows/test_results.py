@@ -2,13 +2,14 @@
 
 import asyncio
 import threading
+from dataclasses import replace
 
 from scripted_engine import CUT_IN, Script
 
 from c2s_engine.structure.components import Assumption, Component, Structure, Unmet
 from c2s_engine.structure.diagnostics import StageResult
-from c2s_engine.structure.requirements import Result
-from c2s_engine.structure.specs import EgoSpec
+from c2s_engine.structure.requirements import Requirement, Result
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_tui.desk import Desk
 from c2s_tui.results.plot import Curve, plot
 from c2s_tui.summary import summary
@@ -165,6 +166,21 @@ def test_what_was_given_up_stands_beside_the_requirements():
     said, kind = summary(desk)
     assert said == "E written; runs; 1 of 1 requirements met; given up: E speed 130 km/h -> 91 km/h"
     assert kind == "warning"
+
+
+def test_requirements_that_are_no_longer_made_are_told():
+    def asked(*components: str) -> tuple[Requirement, ...]:
+        return tuple(Requirement(id=f"{c}.{i}", kind="phase", component=c, text="c", check="shown")
+                     for i, c in enumerate(components))  # fmt: skip
+
+    structure = Structure(objects=(Component(id="O1", spec=ObjectSpec(name="van"), origin="by_hand"),))
+    met = (Result(requirement="O1.0", holds=True, robustness=1.0),)
+    before = asked("O1", "O1", "E", "O2")
+    desk = Desk(structure=structure, results=met, requirements=asked("O1"), required_before=before)
+    said, _ = summary(desk)
+    assert "1 of 1 requirements met (1 fewer of E, 1 fewer of O1 than before; of O1, by hand, only what is" in said
+    more = replace(desk, required_before=(), requirements=asked("O1", "E"))
+    assert "fewer" not in summary(more)[0]
 
 
 async def test_f6_brings_results_that_are_behind_another_pane(stage):

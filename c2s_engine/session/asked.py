@@ -51,6 +51,9 @@ _UNDERSTOOD = r"\b(?:underst(?:ood|and)|left out|lost from|dropped|ignored|accou
 _NEAR = r"\b(?:close|closest|near|nearest|far|gap|distance|apart|ttc|time to collision|pet|encroachment)\b"
 _STOPPED = r"\b(?:stop\w*|stand\w*|halt\w*)\b"
 _FAST = r"\b(?:fast\w*|speed\w*|velocity|km/h|slow\w*)\b"
+_QUESTION = r"(?:how|who|when|where|why|what|which|is|are|was|were|did|does|do|has|have)\b"
+_NEXT = re.compile(rf"(?:\?\s*(?:and|or|but)?|,?\s+and)\s+(?={_QUESTION})", re.I)
+"""Between two questions in one turn."""
 _WHY = re.compile(r"^(?:and |but |so )?(?:why|what makes|what made)\b", re.I)
 _NOT = re.compile(r"\b(?:not|never|fail\w*)\b|n['’]t\b", re.I)
 _FUNCTION = "why what makes made did does do is are was were has have had will would not never fail the an of for to it"
@@ -71,6 +74,9 @@ def answered(question: str, shown: Finished | None) -> str:
     else."""
     if shown is None or not shown.program.text or _ELSEWHERE.search(question):
         return ""
+    if len(each := [q for q in _NEXT.split(question) if q and q.strip()]) > 1:
+        said = {q.strip(" ?"): answered(q, shown) for q in each}
+        return "\n".join(words or f"“{q}”: {UNANSWERED}" for q, words in said.items()) if any(said.values()) else ""
     about = _Asked(question, shown)
     if _ASKS_MEANING.match(question.strip()) and (entry := meaning(question)):
         measured = _near(about) if shown.facts and re.search(_NEAR, question, re.I) else ""

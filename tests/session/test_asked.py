@@ -50,6 +50,7 @@ SHOWN = Finished(
      ("why did the ego slow down?", "begins to brake at 3.6 s, after cyclist enters the road at 2.9 s"),
      ("how hard did ego brake?", "4.2 m/s2 at most, at 3.9 s"),
      ("how close did they come?", "bumper to bumper: 0 m at 4.1 s; smallest time to collision 0.2 s"),
+     ("was there a collision? and how close did they come?", "not in the text.\nSmallest gap"),
      ("what was the minimum TTC?", "time to collision 0.2 s at 4.0 s"),
      ("how fast was the cyclist?", "cyclist fastest 16 km/h"),
      ("did ego stop?", "ego does not stop: its slowest is 32 km/h"),

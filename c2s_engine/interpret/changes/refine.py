@@ -6,6 +6,7 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import limits, notes, order
 from c2s_engine.interpret.changes.all_of_them import each_of_all
+from c2s_engine.interpret.changes.claims import Left, unmet
 from c2s_engine.interpret.changes.demands import demands, topic_of, whole
 from c2s_engine.interpret.changes.forms import ALREADY
 from c2s_engine.interpret.changes.meant import by_labels
@@ -29,6 +30,7 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     current = structure
     text = notes.text_of(by_labels(text, structure), structure)
     refused: EditError | None = None
+    unclear: list[str] = []
     before, topic = "", _doer(text, structure) or topic_of(text, structure)
     parts = [d for part in limits.in_order(demands(text)) for d in each_of_all(part, structure)]
     if len(parts) > 1 and not order.retype(parts[0], structure):
@@ -46,10 +48,16 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
         before, topic = demand, topic_of(demand, current) or topic
         hidden = unshown(demand)
         try:
-            found = (hidden) if hidden else _found(demand, current)
-            if found is None and (named := _with_article(demand, current)):
-                found = _found(named, current)
-            if found is None:
+            read = (hidden, Left()) if hidden else _found(demand, current)
+            for other in (_with_article(demand, current), _with_verb(demand, current)):
+                if other and (read is None or read[1]):
+                    again = _found(other, current)
+                    read = again if again and (read is None or len(again[1]) < len(read[1])) else read
+            if read is None:
+                continue
+            found, lost = read
+            unclear += [*lost.needed, *lost.besides]
+            if lost.needed or lost.besides and not found[0]:
                 continue
             after = _applied(found, current)
         except EditError as error:
@@ -64,6 +72,9 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     if refused is not None and not said:
         raise refused
     said += [f"not done: {refused}"] if refused is not None else []
+    if unclear:
+        why = f"it is not clear what {' and '.join(f'“{words}”' for words in dict.fromkeys(unclear))} changes"
+        said.append(f"not done: {why}" if edits else why)
     return [*edits, *described(structure, current)], said
 
 
@@ -109,20 +120,34 @@ def _in_a_row(first: str, then: str, structure: Structure) -> str | None:
     return both if order.acting(first, structure) else None
 
 
-def _found(demand: str, structure: Structure) -> Found | None:
-    """What the first form that fits asks for; where somebody does that already, how fast he is to do it."""
+def _found(demand: str, structure: Structure) -> tuple[Found, Left] | None:
+    """What the form asks for that leaves fewest words of the demand without an answer, and these words; of forms that
+    leave as many the first. Where somebody does that already, how fast he is to do it."""
     table = language.table("refine")["told"]
-    forms = order.FORMS
-    for form in forms:
+    best: tuple[Found, Left] | None = None
+    for form in order.FORMS:
         found = form(demand, structure)
         if found is None:
             continue
         denied = re.search(table["denies"], demand)
         if form is order.acting and not denied and all(_already(e, structure) for e in found[0]):
             waits = re.search(table["meanwhile"], demand)
-            return None if waits else walked(demand, structure) or ([], f"{ALREADY} ({found[1]})")
-        return found
-    return None
+            if waits:
+                return best
+            found = walked(demand, structure) or ([], f"{ALREADY} ({found[1]})")
+        lost = _lost(demand, found, structure)
+        if best is None or len(lost) < len(best[1]):
+            best = found, lost
+        if not lost or form is order.acting:
+            break
+    return best
+
+
+def _lost(demand: str, found: Found, structure: Structure) -> Left:
+    """The words that edits leave without an answer; none where a form only says why nothing is done."""
+    if not found[0] and not found[1].startswith(ALREADY):
+        return Left()
+    return unmet(demand, structure, _applied(found, structure))
 
 
 def _with_article(demand: str, structure: Structure) -> str:
@@ -132,6 +157,14 @@ def _with_article(demand: str, structure: Structure) -> str:
     if first is None or not bare or refer(f"the {demand[: first.end]}", structure, alone=False) is None:
         return ""
     return f"the {demand}"
+
+
+def _with_verb(demand: str, structure: Structure) -> str:
+    """A demand with the verb that it leaves out between one who is there and a place: "o2 on the left sidewalk"."""
+    match = re.match(r"(?P<who>(?:the )?[\w-]+) (?P<where>(?:on|in|at|behind|beside|ahead of|in front of) .+)$", demand)
+    if match is None or refer(match["who"], structure, alone=False) is None:
+        return ""
+    return f"{match['who']} is {match['where']}"
 
 
 def _already(edit: Edit, structure: Structure) -> bool:

@@ -1,0 +1,143 @@
+"""What a demand says that what is done for it does not hold: numbers, sides, places, moments, limits, members, parties.
+
+Every reading of a demand is measured by it, whichever form made it: the one that leaves least is taken, and what it
+leaves is named.
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from c2s_engine.interpret.changes.refer import refer
+from c2s_engine.interpret.changes.unsaid import NEAR, vocabulary_words
+from c2s_engine.interpret.reading import amounts, scan
+from c2s_engine.interpret.spans import Span
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.quantity import ends
+
+Value = tuple[str, Any]
+"""A field's path and what it holds."""
+
+MOMENT = re.compile(
+    r"\b(?:as soon as|when|once|after|before|until|till|unless) "
+    r"(?!that\b|which\b|ego\b$|(?:the|an?|his|her|its|our|my|this|it|him|o\d)\b(?: [\w-]+){0,2}$)[^,.;]+"
+)
+"""When something happens, by what happens; a noun alone behind the word is a place or a party."""
+LATER = re.compile(r"\d ?(?:s|secs?|seconds?) (?:after|before|later|earlier)\b")
+RELATIVE = re.compile(r" ?(?:slower|faster|closer|nearer|further|farther|later|earlier|more|less|quicker|sooner|up|down|towards?)\b")
+FIELDS = {"speed": r"speed", "distance": r"gap|clearance|spacing|distance|lateral|trigger", "time": r"trigger|delay|later|arrives|duration",
+          "acceleration": r"rate|limits"}  # fmt: skip
+"""Fields that a number of a dimension can change."""
+ALIKE = (("left", "leftmost"), ("right", "rightmost"), ("beside", "abreast"), ("behind", "hidden"), ("behind", "hidden_by"), ("parked", "stationary"))
+"""Words that another one of the vocabulary answers."""
+MEMBER = re.compile(r"\b(?:middle|second|third|fourth|last|first) (?:one|exit|car|van|truck|bus|lane|arm|street)\b")
+MODAL = re.compile(r"\b(?:may|is allowed to|are allowed to|is permitted to)\b(?! not| never)")
+REACTS = re.compile(r"\breacts?\b(?: \w+)?(?= to\b)")
+BOUNDS = re.compile(r"\b(?:(?:limit|restrict)(?= (?:the|its|his|ego)\b)|(?:at (?:least|most)|(?:no|not) (?:more|less) than)(?= \d[\d.]* ?(?:m|s|m/s2|metres|meters|seconds)\b(?!/))|(?:fall|drop|go|be) (?:below|above|under))")
+SIDES = re.compile(r"\b(?:left|right)\b")
+FROM_BEHIND = re.compile(r"\bfrom behind\b")
+BETWEEN = re.compile(r"\bbetween (?:them|the|ego|it|both|two|o\d)\b")
+UNTOUCHED = re.compile(r"\bwithout (?:\w+ )?(?:hitting|touching|colliding|a collision|contact|any contact|crashing)\b[^,.;]*")
+
+
+@dataclass(frozen=True)
+class Left:
+    """The words of a demand to which nothing answers: those without which it is another demand, and the rest."""
+
+    needed: tuple[str, ...] = ()
+    besides: tuple[str, ...] = ()
+
+    def __len__(self) -> int:
+        return len(self.needed) * 2 + len(self.besides)
+
+
+def unmet(demand: str, before: Structure, after: Structure) -> Left:
+    """The words of a demand that nothing in what is changed (or already holds) answers, as they are said."""
+    changed = list(_differences(before, after))
+    spans = [s for s in scan.names(demand) if s.kind in ("actor", "label", "ego")]
+    spans += [Span("id", *m.span()) for m in re.finditer(r"\bo[1-9]\b", demand)]
+    edited = {path.partition(".")[0] for path, _ in changed}
+    parts = [*(c for c in after.components if c.id in edited), *_named(demand, spans, after)]
+    parts = [*(parts or after.components), after.place, after.settings, after.restrictions]
+    values = [*changed, *(v for c in parts for v in _leaves("", c.spec.model_dump()))]
+    needed = [*_numbers(demand, changed, values), *_words(demand, spans, values), *_others(demand, changed, _NEEDED)]
+    return Left(tuple(needed), (*_moments(demand, changed), *_others(demand, changed, _BESIDES)))
+
+
+def _named(demand: str, spans: Sequence[Span], structure: Structure) -> list[Component]:
+    found = [refer(f"the {demand[s.start : s.end]}", structure, alone=False) for s in spans]
+    return [c for c in found if c is not None]
+
+
+def _numbers(demand: str, changed: list[Value], values: list[Value]) -> list[str]:
+    """Numbers with a unit that no field holds, nor changes by."""
+    numbers = [both for _, v in values if (both := ends(v)) is not None]
+    found = []
+    for said in amounts.quantities(demand):
+        low, high, dimension = said.data["low"], said.data["high"], said.data["dimension"]
+        held = any(abs(a - low) < NEAR and (abs(b - high) < NEAR or abs(b - low) < NEAR) for a, b in numbers)
+        more = RELATIVE.match(demand[said.end :]) or re.search(r"\b(?:by|add|take) (?:about |another )?$", demand[: said.start])
+        by = more and any(re.search(FIELDS.get(dimension, ""), path) for path, _ in changed)
+        if dimension != "percent" and not held and not by:
+            found.append(demand[said.start : said.end].strip())
+    return found
+
+
+def _words(demand: str, spans: Sequence[Span], values: list[Value]) -> list[str]:
+    """Sides, places and parts that no field holds."""
+    bare = demand
+    for span in spans:
+        bare = f"{bare[: span.start]}{' ' * (span.end - span.start)}{bare[span.end :]}"
+    held = {w for _, v in values if isinstance(v, str) for w in v.split("_")}
+    held |= {w for path, v in values if v is not None for w in path.split(".")}
+    held |= {w for w, same in ALIKE if same in held} | {"ahead", "front"}
+    bare = re.sub(r"\bmiddle of (?:the|its|ego's) (?:road|street|lane|crossing|crosswalk)\b", " ", bare)
+    said = re.findall(r"[a-z]+", bare)
+    return [w for w in dict.fromkeys(said) if w in vocabulary_words() and w not in held]
+
+
+def _moments(demand: str, changed: list[Value]) -> list[str]:
+    """Clauses of time where nothing that is changed waits for anything."""
+    said = MOMENT.search(demand) or LATER.search(demand)
+    waits = any("trigger" in path or "until" in path or "light_changes" in path or "terminate" in path for path, _ in changed)
+    ordered = len([p for p, _ in changed if p.endswith(".action")]) > 1
+    return [said[0]] if said and not waits and not ordered else []
+
+
+_NEEDED = (
+    (MODAL, r"T\.limits"),
+    (BOUNDS, r"limits|clearance|minimum|maximum|R\.lanes|speed_limit"),
+    (FROM_BEHIND, r"part|placement"),
+    (REACTS, r"reaction|react_to|trigger"),
+)
+_BESIDES = ((BETWEEN, r"hidden_by|spacing|gap"), (UNTOUCHED, r"limits"))
+
+
+def _others(demand: str, changed: list[Value], rows: Sequence[tuple[re.Pattern[str], str]]) -> list[str]:
+    """Permissions, bounds, reactions and the like where what is changed says nothing of the kind."""
+    paths = " ".join(path for path, _ in changed)
+    return [m[0].strip() for find, answer in rows if (m := find.search(demand)) and not re.search(answer, paths)]
+
+
+def _differences(before: Structure, after: Structure) -> Iterator[Value]:
+    """The fields, down to single values, that differ in the later S."""
+    for component in after.components:
+        old = dict(_leaves(component.id, before[component.id].spec.model_dump())) if component.id in before else {}
+        for path, value in _leaves(component.id, component.spec.model_dump()):
+            if path not in old or old[path] != value:
+                yield path, value
+    for component in before.components:
+        new = dict(_leaves(component.id, after[component.id].spec.model_dump())) if component.id in after else {}
+        yield from ((path, None) for path, _ in _leaves(component.id, component.spec.model_dump()) if path not in new)
+
+
+def _leaves(path: str, value: Any) -> Iterator[Value]:
+    if isinstance(value, dict):
+        for key, part in value.items():
+            yield from _leaves(f"{path}.{key}", part)
+    elif isinstance(value, list | tuple) and ends(value) is None:
+        for number, part in enumerate(value):
+            yield from _leaves(f"{path}.{number}", part)
+    elif value is not None:
+        yield path, value

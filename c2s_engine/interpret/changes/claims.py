@@ -48,6 +48,11 @@ class Left:
     needed: tuple[str, ...] = ()
     besides: tuple[str, ...] = ()
 
+    def with_more(self, words: Sequence[str]) -> "Left":
+        """With words that a reading left out, but for those that are there already or are within them."""
+        known = [*self.needed, *self.besides]
+        return Left(self.needed, (*self.besides, *(w for w in words if not any(w in k or k in w for k in known))))
+
     def __len__(self) -> int:
         return len(self.needed) * 2 + len(self.besides)
 
@@ -61,8 +66,12 @@ def unmet(demand: str, before: Structure, after: Structure) -> Left:
     parts = [*(c for c in after.components if c.id in edited), *_named(demand, spans, after)]
     parts = [*(parts or after.components), after.place, after.settings, after.restrictions]
     values = [*changed, *(v for c in parts for v in _leaves("", c.spec.model_dump()))]
-    needed = [*_numbers(demand, changed, values), *_words(demand, spans, values), *_others(demand, changed, _NEEDED)]
-    return Left(tuple(needed), (*_moments(demand, changed), *_others(demand, changed, _BESIDES)))
+    needed = [*_numbers(demand, changed, values), *_others(demand, changed, _NEEDED)]
+    besides = [*_moments(demand, changed), *_others(demand, changed, _BESIDES)]
+    words = _words(demand, spans, values)
+    if changed and edited == {"R"}:  # the side of something at the road, which has none in S
+        return Left(tuple(needed), (*words, *besides))
+    return Left((*needed, *words), tuple(besides))
 
 
 def _named(demand: str, spans: Sequence[Span], structure: Structure) -> list[Component]:

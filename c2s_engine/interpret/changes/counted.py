@@ -3,7 +3,9 @@
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes.refer import spec_of
+from c2s_engine.interpret.changes.how_many import count_of
+from c2s_engine.interpret.changes.refer import objects_of, spec_of
+from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Structure
 
 MOST = 8
@@ -14,8 +16,10 @@ def numbered(sentence: str, structure: Structure) -> str:
     groups = [c for c in structure.objects if spec_of(c).count > 1]
     if len(groups) == 1:
         sentence = re.sub(language.table("wordings")["counts"]["them"], "the xs", sentence)
+    said = re.match(r"(?:there (?:are|is|should be) )(?:only|just) (?P<n>\w+) (?P<noun>[a-z]+s?)\b(?P<rest>(?: and .*)?)$", sentence)
     for component in groups:
-        number = None
-        if number is not None:
-            return f"make {component.id.lower()} {max(1, min(MOST, number))}"
+        kind = next((s.data["type"] for s in scan.names(said["noun"]) if s.kind == "actor"), None) if said else None
+        if said and component in objects_of(structure, kind or ""):
+            number = count_of(said["n"], spec_of(component).count)
+            return f"make {component.id.lower()} {max(1, min(MOST, number))}{said['rest']}"
     return sentence.replace("the xs", "they")

@@ -7,10 +7,15 @@ from typing import Any
 from c2s_engine.interpret.changes.kept import WAYS, with_old
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of, told_of
 from c2s_engine.interpret.changes.retold import table
+from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, SetField
 from c2s_engine.structure.specs import EgoSpec, Phase, Trigger
 
+AFTER = re.compile(
+    r"\b(?:(?P<delay>\d[\d.]*) ?(?:s|secs?|seconds?) )?(?:only )?(?:after|as soon as|once|when|from) (?P<what>[^,]+)$"
+)
+PASSED = re.compile(r"\b(?:has|have|is|are|had) (?:passed|gone (?:past|by)|driven (?:past|by)|past|by)\b")
 PASSING = frozenset(("run_red", "run_stop"))
 """What one does against its light or sign."""
 
@@ -19,6 +24,8 @@ def awaited(told: str, structure: Structure) -> Trigger | None:
     """ "As soon as the child starts to cross, the bus stops": what another does, for which it is waited."""
     if moment := re.match(table()["at_a_time"], told):
         return Trigger(kind="time", value=float(moment["seconds"]))
+    if then := afterwards(told, structure):
+        return then[1]
     match = re.match(table()["awaits"], told)
     if match is None or re.search(r"\d", condition := match["before"] or match["after"]):
         return None
@@ -29,6 +36,43 @@ def awaited(told: str, structure: Structure) -> Trigger | None:
     if other.id == "E":
         return Trigger(kind="action", of="ego", action=said[0]) if said else None
     return Trigger(kind="action", of=other.id, action=(said or told_of(condition) or actions)[0])
+
+
+def afterwards(told: str, structure: Structure) -> tuple[str, Trigger] | None:
+    """ "Brakes 2 s after the cut-in", "only after the car has passed": the text without the moment, and this one told
+    by what somebody does by S; None where nobody there does it."""
+    match = AFTER.search(told)
+    if match is None or re.search(r"\d", match["what"]):
+        return None
+    main = f"{told[: match.start()]} {told[match.end() :]}".strip(" ,")
+    delay = float(match["delay"]) if match["delay"] else None
+    named = refer(match["what"], structure, alone=False)
+    if named is not None and PASSED.search(match["what"]):
+        of = "ego" if named.id == "E" else named.id
+        return main, Trigger(kind="passed", of=of, delay=delay)
+    if named is not None and delay is None:
+        return None
+    doers = [named] if named is not None else list(structure.components)
+    found = [(c, p.action) for c in doers for p in getattr(c.spec, "phases", ()) if doing(match["what"], (p.action,))]
+    if len(found) != 1:
+        return None
+    ((doer, act),) = found
+    subject = refer(main, structure, alone=False)
+    if delay is None and subject is not None and subject.id == doer.id:
+        return None  # the order of his acts says it
+    return main, Trigger(kind="action", of="ego" if doer.id == "E" else doer.id, action=act, delay=delay)
+
+
+def begun(phases: tuple[Phase, ...], waited: Trigger | None, old: Sequence[Phase]) -> tuple[Phase, ...]:
+    """The phases, of which the first that is told anew begins when what is waited for happens."""
+    if waited is None or not phases or any(p.trigger == waited for p in phases):
+        return phases
+    known = {p.action for p in old}
+    new = [i for i, p in enumerate(phases) if p.action not in known] or [0]
+    at = new[0] if all(p.action in known for p in phases[: new[0]]) else 0
+    if phases[at].trigger is not None and phases[at].trigger.kind != waited.kind:  # type: ignore[union-attr]
+        return phases
+    return (*phases[:at], phases[at].model_copy(update={"trigger": waited}), *phases[at + 1 :])
 
 
 def settled(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
@@ -46,6 +90,8 @@ def _by_the_side(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
         now = spec_of(structure[edit.component]).placement.position
         if sides and now in ("left_lane", "right_lane") and now != f"{sides[0]}_lane":
             found.append(SetField(component=edit.component, path="placement.position", value=f"{sides[0]}_lane"))
+            back = tuple(p.model_copy(update={"side": OPPOSITE[sides[0]]}) if p.action == "cut_in" else p for p in edit.value)
+            found[found.index(edit)] = edit.model_copy(update={"value": back})
     return found
 
 
@@ -100,7 +146,7 @@ def paused(phases: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
     """The phases with how long one stands who stops: "stops for 2 s"."""
     said = re.search(table()["paused"], clause)
     stops = [i for i, p in enumerate(phases) if p.action == "stop"]
-    if said is None or not stops:
+    if said is None or not stops or any(p.action == "wait" for p in phases[stops[0] :]):
         return phases
     wait = Phase(action="wait", duration=float(said["seconds"]))
     return (*phases[: stops[0] + 1], wait, *phases[stops[0] + 1 :])

@@ -7,14 +7,14 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import limits, notes, order
 from c2s_engine.interpret.changes.all_of_them import each_of_all
 from c2s_engine.interpret.changes.claims import Left, unmet
-from c2s_engine.interpret.changes.demands import demands, topic_of, whole
+from c2s_engine.interpret.changes.demands import apart, demands, topic_of, whole
 from c2s_engine.interpret.changes.forms import ALREADY
 from c2s_engine.interpret.changes.meant import by_labels
 from c2s_engine.interpret.changes.refer import actions_of, doing, refer
 from c2s_engine.interpret.changes.speed import walked
-from c2s_engine.interpret.changes.told import introduced
+from c2s_engine.interpret.changes.told import introduced, unread
 from c2s_engine.interpret.changes.unshown import unshown
-from c2s_engine.interpret.reading import scan
+from c2s_engine.interpret.reading import amounts, scan
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import AddObject, Edit, EditError, SetField, apply
 from c2s_engine.structure.sentences import sentence
@@ -32,7 +32,7 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
     refused: EditError | None = None
     unclear: list[str] = []
     before, topic = "", _doer(text, structure) or topic_of(text, structure)
-    parts = [d for part in limits.in_order(demands(text)) for d in each_of_all(part, structure)]
+    parts = [d for part in limits.in_order(demands(text)) for own in apart(part) for d in each_of_all(own, structure)]
     if len(parts) > 1 and not order.retype(parts[0], structure):
         of_new = _of_the_new(parts, structure)
         if len(of_new) > 1 and (new := introduced(of_new, structure)):
@@ -54,6 +54,7 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
                     again = _found(other, current)
                     read = again if again and (read is None or len(again[1]) < len(read[1])) else read
             if read is None:
+                unclear += [demand] if _tells(demand, current) else []
                 continue
             found, lost = read
             unclear += [*lost.needed, *lost.besides]
@@ -136,11 +137,33 @@ def _found(demand: str, structure: Structure) -> tuple[Found, Left] | None:
                 return best
             found = walked(demand, structure) or ([], f"{ALREADY} ({found[1]})")
         lost = _lost(demand, found, structure)
+        if form in (order.acting, order.standing) and found[0]:
+            lost = lost.with_more(unread(demand, structure))
         if best is None or len(lost) < len(best[1]):
             best = found, lost
         if not lost or form is order.acting:
-            break
-    return best
+            return best
+    return _together(demand, best, structure) if best is not None and best[1] else best
+
+
+def _together(demand: str, first: tuple[Found, Left], structure: Structure) -> tuple[Found, Left]:
+    """What a form asks for, with what others ask for besides that answers more of the words: "2 s later and 10 m
+    further ahead"."""
+    (edits, said), lost = first
+    for form in order.FORMS:
+        current = _applied((edits, said), structure)
+        more = form(demand, current)
+        if more is None or not more[0] or {_field(e) for e in more[0]} & {_field(e) for e in edits}:
+            continue
+        both = [*edits, *more[0]], f"{said}; {more[1]}"
+        left = unmet(demand, structure, _applied(both, structure))
+        if len(left) < len(lost):
+            (edits, said), lost = both, left
+    return (edits, said), lost
+
+
+def _field(edit: Edit) -> tuple[str, str]:
+    return str(getattr(edit, "component", "")), str(getattr(edit, "path", ""))
 
 
 def _lost(demand: str, found: Found, structure: Structure) -> Left:
@@ -165,6 +188,12 @@ def _with_verb(demand: str, structure: Structure) -> str:
     if match is None or refer(match["who"], structure, alone=False) is None:
         return ""
     return f"{match['who']} is {match['where']}"
+
+
+def _tells(demand: str, structure: Structure) -> bool:
+    """Whether a demand that no form reads tells something of the scene: of somebody there, or a number."""
+    told = any(q.data["dimension"] != "percent" for q in amounts.quantities(demand))
+    return told or refer(demand, structure, alone=False) is not None
 
 
 def _already(edit: Edit, structure: Structure) -> bool:

@@ -80,6 +80,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
         return Turn("scenario", span=whole)
     if structure is not None and structure.objects and (nobody := pointed.missing(plain, structure)):
         return Turn("edit", reply=_not_understood(typed, _absent(nobody, structure)), span=whole)
+    before = plain
     plain = put.plainly(plain, structure) if structure is not None else plain
     if structure is not None and (edits_said := _wished(plain, structure)):
         return Turn("edit", *edits_said, whole)
@@ -98,7 +99,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
         and not _goes_on(plain, structure)
     ):
         return Turn("scenario", span=whole)
-    edits, said = refine.edits_of(demanded, structure)
+    edits, said = refine.edits_of(demanded, structure, before)
     stranger = pointed.nobody(demanded, structure)
     if stranger and edits and not any(isinstance(e, AddObject) for e in edits):
         return Turn("edit", reply=_not_understood(typed, _absent(stranger, structure)), span=whole)

@@ -21,5 +21,5 @@ def numbered(sentence: str, structure: Structure) -> str:
         kind = next((s.data["type"] for s in scan.names(said["noun"]) if s.kind == "actor"), None) if said else None
         if said and component in objects_of(structure, kind or ""):
             number = count_of(said["n"], spec_of(component).count)
-            return f"make {component.id.lower()} {max(1, min(MOST, number))}{said['rest']}"
+            return f"make {component.id.lower()} {max(1, min(MOST, number))}{said['rest'].replace(' and ', '. ', 1)}"
     return sentence.replace("the xs", "they")

@@ -33,7 +33,7 @@ def with_old(old: Sequence[Phase], new: Sequence[Phase], clause: str) -> tuple[P
     told = [i for i, p in enumerate(old) if doing(clause, (p.action,)) and not (turns and p.action in WAYS)]
     if not again:
         if len(new) == 1 and new[0].action in PACING and not re.search(table()["plainly"], clause):
-            beside = [p for p in old if p.action in ASIDE]
+            beside = [p for p in old if p.action in ASIDE or p.action == "follow" and p.target != new[0].target]
             if beside and not told and not re.search(r"\bbefore\b", clause):
                 return (*beside, *new)  # how fast it goes says nothing of where it goes
         if not told or len(new) != 1:

@@ -8,13 +8,15 @@ from c2s_engine.interpret.changes.kept import WAYS, with_old
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of, told_of
 from c2s_engine.interpret.changes.retold import table
 from c2s_engine.interpret.what.towards import OPPOSITE
-from c2s_engine.structure.components import Structure
+from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, SetField
-from c2s_engine.structure.specs import EgoSpec, Phase, Trigger
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
 
 AFTER = re.compile(
     r"\b(?:(?P<delay>\d[\d.]*) ?(?:s|secs?|seconds?) )?(?:only )?(?:after|as soon as|once|when|from) (?P<what>[^,]+)$"
 )
+OVER = frozenset(("cut_in", "lane_change", "drift"))
+"""What it is called when somebody comes over the line of a lane."""
 PASSED = re.compile(r"\b(?:has|have|is|are|had) (?:passed|gone (?:past|by)|driven (?:past|by)|past|by)\b")
 PASSING = frozenset(("run_red", "run_stop"))
 """What one does against its light or sign."""
@@ -73,6 +75,32 @@ def begun(phases: tuple[Phase, ...], waited: Trigger | None, old: Sequence[Phase
     if phases[at].trigger is not None and phases[at].trigger.kind != waited.kind:  # type: ignore[union-attr]
         return phases
     return (*phases[:at], phases[at].model_copy(update={"trigger": waited}), *phases[at + 1 :])
+
+
+def in_other_words(phases: tuple[Phase, ...], now: EgoSpec | ObjectSpec) -> tuple[Phase, ...]:
+    """The phases, of which one that tells what he does already by another name is that: who comes over the line from
+    the oncoming lane does not cut in."""
+    if not _over_the_line(now):
+        return phases
+    same = {"action": "oncoming", "side": None, "target": None}
+    return tuple(p.model_copy(update=same) if p.action in OVER else p for p in phases)
+
+
+def begun_at(changed: list[tuple[str, Any]], there: Component) -> list[tuple[str, Any]]:
+    """The changes, in which a distance at which one comes over the line is when he does so, not where he starts."""
+    acts = next((value for path, value in changed if path == "phases"), ())
+    at = next((i for i, p in enumerate(acts) if p.action == "oncoming"), None)
+    gap = next((value for path, value in changed if path == "placement.gap" and value is not None), None)
+    if at is None or not _over_the_line(there.spec) or not any(path == "placement.position" for path, _ in changed):
+        return changed
+    if gap is not None:
+        acts = (*acts[:at], acts[at].model_copy(update={"trigger": Trigger(kind="distance", value=gap)}), *acts[at + 1 :])
+    return [("phases", acts), *(c for c in changed if c[0] != "phases" and not c[0].startswith("placement"))]
+
+
+def _over_the_line(spec: Any) -> bool:
+    acts = {p.action for p in getattr(spec, "phases", ())}
+    return isinstance(spec, ObjectSpec) and spec.placement.position == "oncoming_lane" and "oncoming" in acts
 
 
 def settled(edits: Sequence[Edit], structure: Structure) -> list[Edit]:

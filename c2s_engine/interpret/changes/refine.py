@@ -12,6 +12,7 @@ from c2s_engine.interpret.changes.forms import ALREADY
 from c2s_engine.interpret.changes.meant import by_labels
 from c2s_engine.interpret.changes.refer import actions_of, doing, refer
 from c2s_engine.interpret.changes.speed import walked
+from c2s_engine.interpret.changes.still import still_done
 from c2s_engine.interpret.changes.told import introduced, unread
 from c2s_engine.interpret.changes.unshown import unshown
 from c2s_engine.interpret.reading import amounts, scan
@@ -22,15 +23,17 @@ from c2s_engine.structure.sentences import sentence
 Found = tuple[list[Edit], str]
 
 
-def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
-    """The edits that a text asks for and what each does, in order; empty where nothing was understood. Raises
-    EditError where S refuses all that is asked for."""
+def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edit], list[str]]:
+    """The edits that a text asks for and what each does, in order; empty where nothing was understood. `typed`: the
+    text before it was put plainly, which may have left out what it denies. Raises EditError where S refuses all that is
+    asked for."""
     edits: list[Edit] = []
     said: list[str] = []
     current = structure
     text = notes.text_of(by_labels(text, structure), structure)
     refused: EditError | None = None
     unclear: list[str] = []
+    unread_parts: list[str] = []
     before, topic = "", _doer(text, structure) or topic_of(text, structure)
     parts = [d for part in limits.in_order(demands(text)) for own in apart(part) for d in each_of_all(own, structure)]
     if len(parts) > 1 and not order.retype(parts[0], structure):
@@ -54,7 +57,7 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
                     again = _found(other, current)
                     read = again if again and (read is None or len(again[1]) < len(read[1])) else read
             if read is None:
-                unclear += [demand] if _tells(demand, current) else []
+                unread_parts += [demand] if _tells(demand, current) else []
                 continue
             found, lost = read
             unclear += [*lost.needed, *lost.besides]
@@ -70,9 +73,16 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
         edits += found[0]
         said.append(found[1])
         topic = next((c for e in reversed(found[0]) if (c := _object(e))), topic)
+    for demand in still_done(typed or text, current) if edits else ():
+        if (read := _found(demand, current)) and read[0][0] and not read[1]:
+            current = _applied(read[0], current)
+            edits, said = [*edits, *read[0][0]], [*said, read[0][1]]
+        else:
+            unclear.append(demand)
     if refused is not None and not said:
         raise refused
     said += [f"not done: {refused}"] if refused is not None else []
+    unclear += unread_parts if said or unclear else []
     if unclear:
         why = f"it is not clear what {' and '.join(f'“{words}”' for words in dict.fromkeys(unclear))} changes"
         said.append(f"not done: {why}" if edits else why)

@@ -125,7 +125,11 @@ def scene(structure: Structure, told: str) -> str:
             sentence = describe.obj(spec_of(component).model_copy(update={"phases": (), **assumed}), names)
         sentences.append(re.sub(r"^An? ", "Another ", sentence) if _noun(component) in told_of else sentence)
         told_of.add(_noun(component))
-    return " ".join(sentences)
+    return " ".join(_SPEED_BEHIND.sub(r", at \g<speed>, \g<hidden>.", s) for s in sentences)
+
+
+_SPEED_BEHIND = re.compile(r", (?P<hidden>hidden by [\w -]+), at (?P<speed>[\d.]+ km/h)\.$")
+"""A speed that would be read as that of who hides somebody."""
 
 
 @lru_cache(64)

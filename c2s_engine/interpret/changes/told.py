@@ -18,7 +18,9 @@ from c2s_engine.interpret.changes.phases import (
     afterwards,
     awaited,
     begun,
+    begun_at,
     given_up,
+    in_other_words,
     joined,
     mapped,
     paused,
@@ -132,6 +134,7 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
         elif cid == "R" or _names(main, structure[cid], structure):
             old = before.get(component.id) or was[component.id]
             changed = _changes(old, component, structure[cid], ids, clause, waited)
+            changed = begun_at(changed, structure[cid])
             changed = kept_place(changed, structure[cid], told)
             if cid not in ("R", "E") and _only_beside(main, structure[cid], structure):
                 changed = [c for c in changed if c[0] in ("placement.hidden_by", "count")]
@@ -293,6 +296,7 @@ def _changes(
             phases = tuple(mapped(p, ids) for p in now.spec.phases if not (turns and p.action == "go_straight"))
             phases = paused(phases, clause)
             phases = tuple(sorted(phases, key=lambda p: p.action not in PASSING))
+            phases = in_other_words(phases, there.spec)
             phases = begun(phases, waited, there.spec.phases)
             found.append((path, joined(there.spec.phases, phases, clause)))
         elif path == "placement":

@@ -53,7 +53,7 @@ KINDS = (
     (r"deceleration|braking", "deceleration", "acceleration"),
     (r"acceleration", "acceleration", "acceleration"),
     (r"time[ -]to[ -]collision|ttc", "ttc", "time"),
-    (r"gap|distance|headway", "gap", "distance"),
+    (r"gap|distance|headway|keeps? (?:always )?at least", "gap", "distance"),
 )
 """What can be bounded, by the nouns for it, and of which dimension its numbers are."""
 LOWER = r"\b(?:(?:not|never) (?:\w+ )?(?:below|under|less than|smaller than|shorter than)|at least|no(?:t)? (?:less|smaller) than|minimum|above|over)\b"
@@ -69,7 +69,7 @@ def bounded(clause: str, structure: Structure) -> Found | None:
     lower, upper = re.search(LOWER, clause), re.search(UPPER, clause)
     if kind is None or far is None or not re.search(OBLIGED, clause) or not (lower or upper):
         return None
-    if kind[0] == "gap" and not re.search(r"\b(?:never|not|always|all along|at any time)\b", clause):
+    if kind[0] == "gap" and not re.search(r"\b(?:never|not|always|all along|at any time|keeps? at least)\b", clause):
         return None  # where somebody is
     value = round(far["low"], 2)
     names = [s for s in scan.names(clause) if s.kind in ("actor", "ego", "label")]

@@ -21,7 +21,7 @@ Value = tuple[str, Any]
 
 MOMENT = re.compile(
     r"\b(?:as soon as|when|once|after|before|until|till|unless) "
-    r"(?!that\b|which\b|ego\b$|(?:the|an?|his|her|its|our|my|this|it|him|o\d)\b(?: [\w-]+){0,2}$)[^,.;]+"
+    r"(?!that\b|which\b|(?:ego|it|him|her|o\d)$|(?:the|an?|his|her|its|our|my|this)\b(?: [\w-]+){0,2}$)[^,.;]+"
 )
 """When something happens, by what happens; a noun alone behind the word is a place or a party."""
 LATER = re.compile(r"\d ?(?:s|secs?|seconds?) (?:after|before|later|earlier)\b")
@@ -69,6 +69,8 @@ def unmet(demand: str, before: Structure, after: Structure) -> Left:
     needed = [*_numbers(demand, changed, values), *_others(demand, changed, _NEEDED)]
     besides = [*_moments(demand, changed), *_others(demand, changed, _BESIDES)]
     words = _words(demand, spans, values)
+    if not any(path.split(".")[1:2] == ["phases"] for path, _ in changed):
+        needed, besides = [*needed, *_moments(demand, changed)], besides[len(_moments(demand, changed)) :]
     if changed and edited == {"R"}:  # the side of something at the road, which has none in S
         return Left(tuple(needed), (*words, *besides))
     return Left((*needed, *words), tuple(besides))
@@ -88,6 +90,7 @@ def _numbers(demand: str, changed: list[Value], values: list[Value]) -> list[str
         held = any(abs(a - low) < NEAR and (abs(b - high) < NEAR or abs(b - low) < NEAR) for a, b in numbers)
         more = RELATIVE.match(demand[said.end :]) or re.search(r"\b(?:by|add|take) (?:about |another )?$", demand[: said.start])
         by = more and any(re.search(FIELDS.get(dimension, ""), path) for path, _ in changed)
+        by = by or more and not changed  # it is so much more already
         if dimension != "percent" and not held and not by:
             found.append(demand[said.start : said.end].strip())
     return found

@@ -13,7 +13,7 @@ from c2s_engine.structure.specs import Phase
 
 WAYS = {"go_straight": "straight", "turn_left": "left", "turn_right": "right", "u_turn": "u_turn"}
 """Ways through an intersection, as actions and as ego's manoeuvre."""
-PACING = frozenset(("brake", "accelerate", "stop"))
+PACING = frozenset(("brake", "accelerate", "stop", "wait"))
 """Acts by which somebody only changes its speed."""
 ASIDE = frozenset(("lane_change", "cut_in", "cut_out", "overtake", "swerve", "drift", "oncoming", "leave_road"))
 """Acts that say where somebody goes."""
@@ -33,7 +33,9 @@ def with_old(old: Sequence[Phase], new: Sequence[Phase], clause: str) -> tuple[P
     told = [i for i, p in enumerate(old) if doing(clause, (p.action,)) and not (turns and p.action in WAYS)]
     if not again:
         if len(new) == 1 and new[0].action in PACING and not re.search(table()["plainly"], clause):
-            beside = [p for p in old if p.action in ASIDE or p.action == "follow" and p.target != new[0].target]
+            midway = re.search(table()["midway"], clause)
+            beside = [p for p in old if p.action in ASIDE or midway and p.action == "cross_road"
+                      or p.action == "follow" and p.target != new[0].target]  # fmt: skip
             if beside and not told and not re.search(r"\bbefore\b", clause):
                 return (*beside, *new)  # how fast it goes says nothing of where it goes
         if not told or len(new) != 1:

@@ -11,12 +11,17 @@ from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, SetField
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
+from c2s_engine.structure.vocabulary import Action
 
 AFTER = re.compile(
     r"\b(?:(?P<delay>\d[\d.]*) ?(?:s|secs?|seconds?) )?(?:only )?(?:after|as soon as|once|when|from) (?P<what>[^,]+)$"
 )
 OVER = frozenset(("cut_in", "lane_change", "drift"))
 """What it is called when somebody comes over the line of a lane."""
+AFTER_AHEAD = re.compile(
+    r"^(?:(?P<delay>\d[\d.]*) ?(?:s|secs?|seconds?) )?(?:only )?(?:after|from) (?P<what>(?:the|its|his|her) [\w -]+?)"
+    r"(?:, | (?=(?:it|he|she|they|ego|o\d|the) ))"
+)
 PASSED = re.compile(r"\b(?:has|have|is|are|had) (?:passed|gone (?:past|by)|driven (?:past|by)|past|by)\b")
 PASSING = frozenset(("run_red", "run_stop"))
 """What one does against its light or sign."""
@@ -43,7 +48,7 @@ def awaited(told: str, structure: Structure) -> Trigger | None:
 def afterwards(told: str, structure: Structure) -> tuple[str, Trigger] | None:
     """ "Brakes 2 s after the cut-in", "only after the car has passed": the text without the moment, and this one told
     by what somebody does by S; None where nobody there does it."""
-    match = AFTER.search(told)
+    match = AFTER.search(told) or AFTER_AHEAD.match(told)
     if match is None or re.search(r"\d", match["what"]):
         return None
     main = f"{told[: match.start()]} {told[match.end() :]}".strip(" ,")
@@ -52,6 +57,9 @@ def afterwards(told: str, structure: Structure) -> tuple[str, Trigger] | None:
     if named is not None and PASSED.search(match["what"]):
         of = "ego" if named.id == "E" else named.id
         return main, Trigger(kind="passed", of=of, delay=delay)
+    if named is not None and re.fullmatch(r"(?:the )?[\w-]+", match["what"]):
+        act = next(iter(told_of(main)), None)  # "brakes 1 s after ego"
+        return (main, _of(named, act, delay)) if act and delay is not None else None
     if named is not None and delay is None:
         return None
     doers = [named] if named is not None else list(structure.components)
@@ -62,7 +70,11 @@ def afterwards(told: str, structure: Structure) -> tuple[str, Trigger] | None:
     subject = refer(main, structure, alone=False)
     if delay is None and subject is not None and subject.id == doer.id:
         return None  # the order of his acts says it
-    return main, Trigger(kind="action", of="ego" if doer.id == "E" else doer.id, action=act, delay=delay)
+    return main, _of(doer, act, delay)
+
+
+def _of(doer: Component, act: Action, delay: float | None) -> Trigger:
+    return Trigger(kind="action", of="ego" if doer.id == "E" else doer.id, action=act, delay=delay)
 
 
 def begun(phases: tuple[Phase, ...], waited: Trigger | None, old: Sequence[Phase]) -> tuple[Phase, ...]:
@@ -194,11 +206,21 @@ def mapped(phase: Phase, ids: dict[str, str]) -> Phase:
     return phase.model_copy(update={"trigger": trigger, "target": target})
 
 
+def _so_long_after(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
+    """The new phases, of which a first one that comes so long after a stop waits as long: "sets off again after 4 s"."""
+    trigger = new[0].trigger if new else None
+    since = re.search(r"\b(?:start|beginning) (?:of|$)|\bafter the (?:start|beginning)\b", clause)
+    if not old or old[-1].action != "stop" or trigger is None or trigger.kind != "time" or since:
+        return new
+    return (Phase(action="wait", duration=trigger.value), new[0].model_copy(update={"trigger": None}), *new[1:])
+
+
 def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
     """What it does from now on: the new phases; behind the old ones where the clause says so; where they only say more
     of an old phase, that one with what is new."""
     if re.search(table()["besides"], clause) and (len(new) == 1 or re.match(table()["afterwards"], clause)):
         turns = any(p.action in WAYS for p in new)
+        new = _so_long_after(old, new, clause)
         if old and new and old[-1].action == new[0].action:
             new = new[1:]
         if new and new[0].action in PASSING:
@@ -212,7 +234,7 @@ def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple
     passed = [p for p in old if p.action in PASSING]
     others = {p.action for p in new} - WAYS.keys()
     obeys = bool(others) and others <= {"stop", "wait", "yield", "start"}
-    if obeys and ways and (passed or re.search(table()["at_the_line"], clause)):
+    if obeys and ways and (passed or others == {"yield"} or re.search(table()["at_the_line"], clause)):
         told = [p for p in new if p.action in WAYS and p.action != "go_straight"]
         return (*(p for p in new if p.action not in WAYS), *(told or ways))
     only = re.search(table()["only_that"], clause)

@@ -5,7 +5,7 @@ from typing import Any
 
 from c2s_engine.interpret.changes.phases import mapped
 from c2s_engine.interpret.changes.refer import spec_of
-from c2s_engine.interpret.changes.retold import located_in, table
+from c2s_engine.interpret.changes.retold import located_in, on_its_way, table
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import AddObject
@@ -16,7 +16,7 @@ def placed_before(was: Component, now: Component, there: Component, clause: str)
     """Where it was: of one whose place the clause tells anew, where it really is, but for what is not told."""
     old, new = spec_of(was).placement.model_dump(), spec_of(now).placement.model_dump()
     assumed = any(a.field == "placement.position" for a in now.assumed)
-    if assumed or not located_in(clause):
+    if assumed or not located_in(clause) or on_its_way(clause, there):
         return old
     real = spec_of(there).placement.model_dump()
     return real | {key: new[key] for key in ("gap", "hidden_by") if new[key] is None}

@@ -48,6 +48,7 @@ def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edi
         while parts and (both := _in_a_row(demand, parts[0], current)):
             demand = both
             parts.pop(0)
+        demand = _other_one(demand, current)
         before, topic = demand, topic_of(demand, current) or topic
         hidden = unshown(demand)
         try:
@@ -198,6 +199,14 @@ def _with_verb(demand: str, structure: Structure) -> str:
     if match is None or refer(match["who"], structure, alone=False) is None:
         return ""
     return f"{match['who']} is {match['where']}"
+
+
+def _other_one(demand: str, structure: Structure) -> str:
+    """A demand about ego in which "it" is the only other one who is there: "ego stops 2 m away from it"."""
+    if len(structure.objects) != 1 or not re.match(r"(?:the )?ego\b", demand):
+        return demand
+    cid = structure.objects[0].id.lower()
+    return re.sub(r"\b(from|of|before|behind|for|with|past|to) (?:it|him|her|them)$", rf"\g<1> {cid}", demand)
 
 
 def _tells(demand: str, structure: Structure) -> bool:

@@ -94,6 +94,12 @@ def located_in(told: str) -> bool:
     return bool(re.match(table()["located"], re.sub(table()["meanwhile"], "", told)))
 
 
+def on_its_way(told: str, component: Component) -> bool:
+    """Whether a sentence says what one who crosses the road does on it, not where he begins."""
+    crosses = any(p.action == "cross_road" for p in getattr(component.spec, "phases", ()))
+    return crosses and re.search(table()["midway"], told) is not None
+
+
 def scene(structure: Structure, told: str) -> str:
     """Where everything stands, without what it does and without what the sentence tells anew: where somebody is, or
     where ego goes.
@@ -107,6 +113,7 @@ def scene(structure: Structure, told: str) -> str:
     mover = refer(told, structure, alone=False) if told_speed else None
     placed = located_in(told) and not re.match(table()["adds"], told)
     located = refer(told, structure, alone=False) if placed else None
+    located = None if located is not None and on_its_way(told, located) else located
     names = {c.id: _noun(c) for c in structure.objects}
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)

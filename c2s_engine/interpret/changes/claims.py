@@ -9,10 +9,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.interpret.changes.unsaid import NEAR, vocabulary_words
 from c2s_engine.interpret.reading import amounts, scan
 from c2s_engine.interpret.spans import Span
+from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import ends
 
@@ -25,6 +27,11 @@ MOMENT = re.compile(
 )
 """When something happens, by what happens; a noun alone behind the word is a place or a party."""
 LATER = re.compile(r"\d ?(?:s|secs?|seconds?) (?:after|before|later|earlier)\b")
+DENIES = re.compile(r"\b(?:not|never|without|no|instead|stops?|nobody|ignor\w+|remov\w+|delet\w+)\b|n't\b")
+VERB = re.compile(r"\b(?:brak(?:es?|ing)|overtak(?:es?|ing)|follow(?:s|ing)?|cuts? in|turns?|swerves?|accelerates?|crosses|reverses?)\b(?! (?:lane|in|to be))")
+"""Verbs that only tell of an act."""
+BARE = re.compile(r"\b(?:at|with|to|by|of|doing) (?P<value>\d{2,3})(?= (?:and|when|as|in|on)\b|[,;]|$)")
+"""A number that has no unit."""
 RELATIVE = re.compile(r" ?(?:slower|faster|closer|nearer|further|farther|later|earlier|more|less|quicker|sooner|up|down|towards?)\b")
 FIELDS = {"speed": r"speed", "distance": r"gap|clearance|spacing|distance|lateral|trigger", "time": r"trigger|delay|later|arrives|duration",
           "acceleration": r"rate|limits"}  # fmt: skip
@@ -68,7 +75,9 @@ def unmet(demand: str, before: Structure, after: Structure) -> Left:
     values = [*changed, *(v for c in parts for v in _leaves("", c.spec.model_dump()))]
     needed = [*_numbers(demand, changed, values), *_others(demand, changed, _NEEDED)]
     besides = [*_moments(demand, changed), *_others(demand, changed, _BESIDES)]
-    words = _words(demand, spans, values)
+    words = [*_words(demand, spans, values), *_sky(demand, spans, values), *_acts(demand, changed, values)]
+    if not changed and (only := re.search(r"\b(?:only|just) [\w ]+$", demand)):
+        needed.append(only[0])
     if not any(path.split(".")[1:2] == ["phases"] for path, _ in changed):
         needed, besides = [*needed, *_moments(demand, changed)], besides[len(_moments(demand, changed)) :]
     if changed and edited == {"R"}:  # the side of something at the road, which has none in S
@@ -93,6 +102,12 @@ def _numbers(demand: str, changed: list[Value], values: list[Value]) -> list[str
         by = by or more and not changed  # it is so much more already
         if dimension != "percent" and not held and not by:
             found.append(demand[said.start : said.end].strip())
+    known = [(s.start, s.end) for s in (*amounts.quantities(demand), *scan.names(demand))]
+    for bare in BARE.finditer(demand):
+        value = float(bare["value"])
+        told = any(a < bare.end() and bare.start("value") < b for a, b in known)
+        if not told and not any(abs(a - v) < NEAR for a, _ in numbers for v in (value, value / 3.6)):
+            found.append(bare[0])
     return found
 
 
@@ -107,6 +122,31 @@ def _words(demand: str, spans: Sequence[Span], values: list[Value]) -> list[str]
     bare = re.sub(r"\bmiddle of (?:the|its|ego's) (?:road|street|lane|crossing|crosswalk)\b", " ", bare)
     said = re.findall(r"[a-z]+", bare)
     return [w for w in dict.fromkeys(said) if w in vocabulary_words() and w not in held]
+
+
+def _sky(demand: str, spans: Sequence[Span], values: list[Value]) -> list[str]:
+    """Weather and times of the day that S does not have."""
+    if DENIES.search(demand) or re.search(r"\b(?:too|less|replace|swap|change)\b", demand):
+        return []
+    whole = [(0, len(demand))]
+    time = environment.time_of_day(demand, whole)
+    found = [*environment.weather(demand, whole), *([time] if time is not None else [])]
+    held = {v for _, v in values if isinstance(v, str)}
+    return [demand[slice(*f.span)] for f in found if f.value not in held and f.span[0] < f.span[1]]
+
+
+def _acts(demand: str, changed: list[Value], values: list[Value]) -> list[str]:
+    """Verbs of acts that nobody does, nor is waited for, nor is bounded, nor an answer of ego."""
+    main = re.sub(language.table("refine")["told"]["meanwhile"], " ", demand)
+    if DENIES.search(main) or any(path.startswith("T.") for path, _ in changed):
+        return []
+    held = {v for _, v in values if isinstance(v, str)}
+    found = []
+    for verb in VERB.finditer(main):
+        acts = {a for stem, done in language.table("refine")["doers"].items() if re.match(stem, verb[0]) for a in done}
+        if acts and not (acts | {"evade", "yield", "overtake"}) & held and not (verb[0].startswith("brak") and "brake" in held):
+            found.append(verb[0])
+    return found
 
 
 def _moments(demand: str, changed: list[Value]) -> list[str]:

@@ -13,8 +13,8 @@ from c2s_engine.structure.specs import Phase
 
 WAYS = {"go_straight": "straight", "turn_left": "left", "turn_right": "right", "u_turn": "u_turn"}
 """Ways through an intersection, as actions and as ego's manoeuvre."""
-PACING = frozenset(("brake", "accelerate", "stop", "wait"))
-"""Acts by which somebody only changes its speed."""
+PACING = frozenset(("brake", "accelerate", "stop", "wait", "collide"))
+"""Acts that say nothing of the way on which somebody does them."""
 ASIDE = frozenset(("lane_change", "cut_in", "cut_out", "overtake", "swerve", "drift", "oncoming", "leave_road"))
 """Acts that say where somebody goes."""
 NUMBERS = ("speed", "rate", "gap", "duration", "lateral_speed", "clearance")

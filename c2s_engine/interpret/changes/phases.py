@@ -14,7 +14,7 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
 from c2s_engine.structure.vocabulary import Action
 
 AFTER = re.compile(
-    r"\b(?:(?P<delay>\d[\d.]*) ?(?:s|secs?|seconds?) )?(?:only )?(?:after|as soon as|once|when|from) (?P<what>[^,]+)$"
+    r"\b(?:(?P<delay>\d[\d.]*) ?(?:s|secs?|seconds?) )?(?:only )?(?:after|as soon as|once|when|from) (?P<what>[^,]+?)(?=$| (?:with|at|by|to) \d)"
 )
 OVER = frozenset(("cut_in", "lane_change", "drift"))
 """What it is called when somebody comes over the line of a lane."""
@@ -48,7 +48,7 @@ def awaited(told: str, structure: Structure) -> Trigger | None:
 def afterwards(told: str, structure: Structure) -> tuple[str, Trigger] | None:
     """ "Brakes 2 s after the cut-in", "only after the car has passed": the text without the moment, and this one told
     by what somebody does by S; None where nobody there does it."""
-    match = AFTER.search(told) or AFTER_AHEAD.match(told)
+    match = next((m for m in AFTER.finditer(told)), None) or AFTER_AHEAD.match(told)
     if match is None or re.search(r"\d", match["what"]):
         return None
     main = f"{told[: match.start()]} {told[match.end() :]}".strip(" ,")

@@ -34,6 +34,7 @@ def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edi
     refused: EditError | None = None
     unclear: list[str] = []
     unread_parts: list[str] = []
+    done: list[tuple[str, Structure, Structure]] = []
     before, topic = "", _doer(text, structure) or topic_of(text, structure)
     parts = [d for part in limits.in_order(demands(text)) for own in apart(part) for d in each_of_all(own, structure)]
     if len(parts) > 1 and not order.retype(parts[0], structure):
@@ -70,6 +71,7 @@ def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edi
             continue
         if found[0] and _same(current, after):
             found = [], f"{ALREADY} ({found[1]})"
+        done += [(demand, current, after)] if found[0] else []
         current = after
         edits += found[0]
         said.append(found[1])
@@ -83,6 +85,10 @@ def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edi
     if refused is not None and not said:
         raise refused
     said += [f"not done: {refused}"] if refused is not None else []
+    for demand, then, so in done[:-1]:
+        was = {*(first := unmet(demand, then, so)).needed, *first.besides}
+        undone = unmet(demand, then, current)
+        unclear += [w for w in (*undone.needed, *undone.besides) if w not in was]
     unclear += unread_parts if said or unclear else []
     if unclear:
         why = f"it is not clear what {' and '.join(f'“{words}”' for words in dict.fromkeys(unclear))} changes"

@@ -72,13 +72,21 @@ def _settled(said: str, structure: Structure) -> str:
             continue
         meant = refer(f"the {said[span.start : span.end]}", structure, alone=False)
         same = meant is not None and meant.id != "E" and spec_of(meant).count == 1
-        if meant is None or not same or span.data["type"] not in PERSONS:
+        if meant is None or not same:
             continue
-        if spec_of(meant).type not in (span.data["type"], "bicycle", "motorcycle"):
+        if span.data["type"] not in PERSONS and not _misnamed(span, meant):
+            continue
+        if span.data["type"] in PERSONS and spec_of(meant).type not in (span.data["type"], "bicycle", "motorcycle"):
             continue
         article = "" if re.search(r"\b(?:the|that|this|second|other|another|more)(?: \w+)? $", before) else "the "
         said = f"{before}{article}{_noun(meant)}{said[span.end :]}"
     return said
+
+
+def _misnamed(span: Span, meant: Component) -> bool:
+    """Whether a noun that is a word of somebody's name is that of another type: the scooter of an e-scooter."""
+    spec = spec_of(meant)
+    return span.data["type"] != spec.type and span.data["noun"] in spec.name.split("_")
 
 
 def _called(cid: ComponentId, structure: Structure) -> str:

@@ -7,7 +7,7 @@ they differ are set, of the components that the clause names and of those that a
 import re
 from typing import Any
 
-from c2s_engine.interpret.changes.acts import at_rest_before
+from c2s_engine.interpret.changes.acts import at_rest_before, struck
 from c2s_engine.interpret.changes.apart import told_apart
 from c2s_engine.interpret.changes.bounds import CONTACT
 from c2s_engine.interpret.changes.forms import Found
@@ -69,7 +69,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
     found = _read_amid(*told_apart(clause, structure), wanted)
     if found is None:
         return None
-    found = at_rest_before(clause, found, structure)
+    found = struck(clause, at_rest_before(clause, found, structure))
     edits = [_named_apart(e, structure) if isinstance(e, AddObject) else e for e in found]
     return edits, in_words(edits, structure)
 
@@ -204,10 +204,12 @@ def _denied(clause: str, structure: Structure) -> list[Edit] | None:
     found = _read_amid(positive, structure, lambda path: path == "phases") if number == 1 else None
     edits: list[Edit] = []
     doer = refer(clause, structure, alone=False)
+    if doer is not None and doer.id == "E" and not re.match(r"(?:the )?ego\b", clause):
+        doer = None  # to whom it is not done
     for edit in found or ():
         if not isinstance(edit, SetField) or edit.path != "phases":
             continue
-        if doer is not None and doer.id != edit.component:
+        if edit.component != (doer.id if doer is not None else edit.component) or doer is None and edit.component == "E":
             continue
         denied = {p.action for p in edit.value} - {"go_straight"}
         denied = {a for a in denied if doing(re.sub(table()["meanwhile"], "", clause), (a,))} or denied

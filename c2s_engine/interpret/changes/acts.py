@@ -69,7 +69,9 @@ def at_rest_before(clause: str, edits: Sequence[Edit], structure: Structure) -> 
 
 
 STRUCK = re.compile(
-    r"(?:(?P<own>with its |with his |with her )?(?:(?<=with its )|(?<=with his )|(?<=with her )|(?!its|his|her)\w+.s|in the|on the|on its|from the) ?(?P<part>(?:(?:front|rear) )?(?:left|right)|front|rear|back|side)(?:-?hand)?"
+    r"(?:(?P<own>with its |with his |with her )?(?:(?<=with its )|(?<=with his )|(?<=with her )"
+    r"|(?!its|his|her)\w+.s|in the|on the|on its|from the) ?(?P<part>(?:(?:front|rear) )?(?:left"
+    r"|right)|front|rear|back|side)(?:-?hand)?"
     r"(?: (?:side|corner|end|flank|door|wing))?|from (?P<way>behind|the rear|the back))$"
 )
 """Where somebody is struck: "hits ego's left side", "runs into ego from behind"."""
@@ -78,7 +80,9 @@ STRUCK = re.compile(
 def struck(clause: str, edits: Sequence[Edit]) -> list[Edit]:
     """The edits, and the part of whom he hits that somebody hits first."""
     match = STRUCK.search(re.sub(table()["meanwhile"], " ", clause).strip(" ,"))
-    said = "rear" if match and match["way"] else (match["part"] if match else "").replace("back", "rear").replace(" ", "_")
+    said = (
+        "rear" if match and match["way"] else (match["part"] if match else "").replace("back", "rear").replace(" ", "_")
+    )
     found, field = list(edits), "part" if match and match["own"] else "target_part"
     for number, edit in enumerate(edits if said in get_args(Part) else ()):
         if isinstance(edit, SetField) and edit.path == "phases" and any(p.action == "collide" for p in edit.value):

@@ -56,9 +56,17 @@ KINDS = (
     (r"gap|distance|headway|keeps? (?:always )?at least", "gap", "distance"),
 )
 """What can be bounded, by the nouns for it, and of which dimension its numbers are."""
-LOWER = r"\b(?:(?:not|never) (?:\w+ )?(?:below|under|less than|smaller than|shorter than)|at least|no(?:t)? (?:less|smaller) than|minimum|above|over)\b"
-UPPER = r"\b(?:(?:not|never) (?:\w+ )?(?:above|over|exceed|more than|larger than)|at most|no(?:t)? more than|maximum|limit(?:ed)?|restrict(?:ed)?|below|under|up to)\b"
-OBLIGED = r"\b(?:must|should|shall|may|has to|never|limit(?:ed)?|restrict(?:ed)?|maximum|minimum|keep|stays?|remains?)\b"
+LOWER = (
+    r"\b(?:(?:not|never) (?:\w+ )?(?:below|under|less than|smaller than|shorter than)|at least"
+    r"|no(?:t)? (?:less|smaller) than|minimum|above|over)\b"
+)
+UPPER = (
+    r"\b(?:(?:not|never) (?:\w+ )?(?:above|over|exceed|more than|larger than)|at most"
+    r"|no(?:t)? more than|maximum|limit(?:ed)?|restrict(?:ed)?|below|under|up to)\b"
+)
+OBLIGED = (
+    r"\b(?:must|should|shall|may|has to|never|limit(?:ed)?|restrict(?:ed)?|maximum|minimum|keep|stays?|remains?)\b"
+)
 
 
 def bounded(clause: str, structure: Structure) -> Found | None:
@@ -87,7 +95,10 @@ def bounded(clause: str, structure: Structure) -> Found | None:
 
 def allowed(clause: str, structure: Structure) -> Found | None:
     """ "Ego may touch the truck": that it must not holds no longer, where that is a limit."""
-    match = re.match(rf"(?P<who>.+?) (?:may|is allowed to|is permitted to) (?P<not>not )?(?P<does>{CONTACT.pattern}) ?(?P<whom>.*)$", clause)
+    match = re.match(
+        rf"(?P<who>.+?) (?:may|is allowed to|is permitted to) (?P<not>not )?(?P<does>{CONTACT.pattern}) ?(?P<whom>.*)$",
+        clause,
+    )
     subject = refer(match["who"], structure, alone=False) if match and not match["not"] else None
     if match is None or subject is None:
         return None

@@ -28,24 +28,42 @@ MOMENT = re.compile(
 """When something happens, by what happens; a noun alone behind the word is a place or a party."""
 LATER = re.compile(r"\d ?(?:s|secs?|seconds?) (?:after|before|later|earlier)\b")
 DENIES = re.compile(r"\b(?:not|never|without|no|instead|stops?|nobody|ignor\w+|remov\w+|delet\w+)\b|n't\b")
-VERB = re.compile(r"\b(?:brak(?:es?|ing)|overtak(?:es?|ing)|follow(?:s|ing)?|cuts? in|turns?|swerves?|accelerates?|crosses|reverses?)\b(?! (?:lane|in|to be))")
+VERB = re.compile(
+    r"\b(?:brak(?:es?|ing)|overtak(?:es?|ing)|follow(?:s|ing)?|cuts? in|turns?|swerves?|accelerates?"
+    r"|crosses|reverses?)\b(?! (?:lane|in|to be))"
+)
 """Verbs that only tell of an act."""
 BARE = re.compile(r"\b(?:at|with|to|by|of|doing) (?P<value>\d{2,3})(?= (?:and|when|as|in|on)\b|[,;]|$)")
 """A number that has no unit."""
-RELATIVE = re.compile(r" ?(?:slower|faster|closer|nearer|further|farther|later|earlier|more|less|quicker|sooner|up|down|towards?)\b")
-FIELDS = {"speed": r"speed", "distance": r"gap|clearance|spacing|distance|lateral|trigger", "time": r"trigger|delay|later|arrives|duration",
-          "acceleration": r"rate|limits"}  # fmt: skip
+RELATIVE = re.compile(
+    r" ?(?:slower|faster|closer|nearer|further|farther|later|earlier|more|less|quicker|sooner|up|down|towards?)\b"
+)
+FIELDS = {"speed": r"speed", "distance": r"gap|clearance|spacing|distance|lateral|trigger",
+          "time": r"trigger|delay|later|arrives|duration", "acceleration": r"rate|limits"}  # fmt: skip
 """Fields that a number of a dimension can change."""
-ALIKE = (("left", "leftmost"), ("right", "rightmost"), ("beside", "abreast"), ("behind", "hidden"), ("behind", "hidden_by"), ("parked", "stationary"))
+ALIKE = (
+    ("left", "leftmost"),
+    ("right", "rightmost"),
+    ("beside", "abreast"),
+    ("behind", "hidden"),
+    ("behind", "hidden_by"),
+    ("parked", "stationary"),
+)
 """Words that another one of the vocabulary answers."""
 MEMBER = re.compile(r"\b(?:middle|second|third|fourth|last|first) (?:one|exit|car|van|truck|bus|lane|arm|street)\b")
 MODAL = re.compile(r"\b(?:may|is allowed to|are allowed to|is permitted to)\b(?! not| never)")
 REACTS = re.compile(r"\breacts?\b(?: \w+)?(?= to\b)")
-BOUNDS = re.compile(r"\b(?:(?:limit|restrict)(?= (?:the|its|his|ego)\b)|(?:at (?:least|most)|(?:no|not) (?:more|less) than)(?= \d[\d.]* ?(?:m|s|m/s2|metres|meters|seconds)\b(?!/))|(?:fall|drop|go|be) (?:below|above|under))")
+BOUNDS = re.compile(
+    r"\b(?:(?:limit|restrict)(?= (?:the|its|his|ego)\b)|(?:at (?:least|most)|(?:no|not) (?:more"
+    r"|less) than)(?= \d[\d.]* ?(?:m|s|m/s2|metres|meters|seconds)\b(?!/))|(?:fall|drop|go"
+    r"|be) (?:below|above|under))"
+)
 SIDES = re.compile(r"\b(?:left|right)\b")
 FROM_BEHIND = re.compile(r"\bfrom behind\b")
 BETWEEN = re.compile(r"\bbetween (?:them|the|ego|it|both|two|o\d)\b")
-UNTOUCHED = re.compile(r"\bwithout (?:\w+ )?(?:hitting|touching|colliding|a collision|contact|any contact|crashing)\b[^,.;]*")
+UNTOUCHED = re.compile(
+    r"\bwithout (?:\w+ )?(?:hitting|touching|colliding|a collision|contact|any contact|crashing)\b[^,.;]*"
+)
 
 
 @dataclass(frozen=True)
@@ -97,7 +115,9 @@ def _numbers(demand: str, changed: list[Value], values: list[Value]) -> list[str
     for said in amounts.quantities(demand):
         low, high, dimension = said.data["low"], said.data["high"], said.data["dimension"]
         held = any(abs(a - low) < NEAR and (abs(b - high) < NEAR or abs(b - low) < NEAR) for a, b in numbers)
-        more = RELATIVE.match(demand[said.end :]) or re.search(r"\b(?:by|add|take) (?:about |another )?$", demand[: said.start])
+        more = RELATIVE.match(demand[said.end :]) or re.search(
+            r"\b(?:by|add|take) (?:about |another )?$", demand[: said.start]
+        )
         by = more and any(re.search(FIELDS.get(dimension, ""), path) for path, _ in changed)
         by = by or more and not changed  # it is so much more already
         if dimension != "percent" and not held and not by:
@@ -144,7 +164,11 @@ def _acts(demand: str, changed: list[Value], values: list[Value]) -> list[str]:
     found = []
     for verb in VERB.finditer(main):
         acts = {a for stem, done in language.table("refine")["doers"].items() if re.match(stem, verb[0]) for a in done}
-        if acts and not (acts | {"evade", "yield", "overtake"}) & held and not (verb[0].startswith("brak") and "brake" in held):
+        if (
+            acts
+            and not (acts | {"evade", "yield", "overtake"}) & held
+            and not (verb[0].startswith("brak") and "brake" in held)
+        ):
             found.append(verb[0])
     return found
 
@@ -152,7 +176,9 @@ def _acts(demand: str, changed: list[Value], values: list[Value]) -> list[str]:
 def _moments(demand: str, changed: list[Value]) -> list[str]:
     """Clauses of time where nothing that is changed waits for anything."""
     said = MOMENT.search(demand) or LATER.search(demand)
-    waits = any("trigger" in path or "until" in path or "light_changes" in path or "terminate" in path for path, _ in changed)
+    waits = any(
+        "trigger" in path or "until" in path or "light_changes" in path or "terminate" in path for path, _ in changed
+    )
     ordered = len([p for p, _ in changed if p.endswith(".action")]) > 1
     return [said[0]] if said and not waits and not ordered else []
 

@@ -12,7 +12,8 @@ MOST = 8
 
 
 _HOW_MANY = re.compile(
-    r"there (?:(?:are|is|should be|must be) (?:only|just|exactly)|(?:should|must|shall) be) (?P<n>two|three|four|five|six|[1-8]) "
+    r"there (?:(?:are|is|should be|must be) (?:only|just|exactly)|(?:should|must"
+    r"|shall) be) (?P<n>two|three|four|five|six|[1-8]) "
     r"(?P<noun>[a-z]+s?)\b(?P<rest>(?:(?:,| and) .*)?)$"
 )
 

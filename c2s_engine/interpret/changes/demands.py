@@ -108,7 +108,8 @@ def apart(part: str) -> list[str]:
 
 
 _UNTOUCHED = re.compile(
-    r"(?P<head>.+?),? (?:and |but )?without (?:ever )?(?:hitting|touching|striking|crashing into|colliding with|(?:any |a )?"
+    r"(?P<head>.+?),? (?:and |but )?without (?:ever )?(?:hitting|touching|striking|crashing into"
+    r"|colliding with|(?:any |a )?"
     r"(?:contact|collision)(?: with)?)(?: (?P<whom>.+))?$"
 )
 _GIVEN_UP = re.compile(r"(?P<head>.+?) instead of (?P<verb>(?!being\b)\w{3,}ing)\b(?P<rest>.*)$")

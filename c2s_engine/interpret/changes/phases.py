@@ -14,7 +14,8 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
 from c2s_engine.structure.vocabulary import Action
 
 AFTER = re.compile(
-    r"\b(?:(?P<delay>\d[\d.]*) ?(?:s|secs?|seconds?) )?(?:only )?(?:after|as soon as|once|when|from) (?P<what>[^,]+?)(?=$| (?:with|at|by|to) \d)"
+    r"\b(?:(?P<delay>\d[\d.]*) ?(?:s|secs?|seconds?) )?(?:only )?(?:after|as soon as|once|when"
+    r"|from) (?P<what>[^,]+?)(?=$| (?:with|at|by|to) \d)"
 )
 OVER = frozenset(("cut_in", "lane_change", "drift"))
 """What it is called when somebody comes over the line of a lane."""
@@ -106,7 +107,11 @@ def begun_at(changed: list[tuple[str, Any]], there: Component) -> list[tuple[str
     if at is None or not _over_the_line(there.spec) or not any(path == "placement.position" for path, _ in changed):
         return changed
     if gap is not None:
-        acts = (*acts[:at], acts[at].model_copy(update={"trigger": Trigger(kind="distance", value=gap)}), *acts[at + 1 :])
+        acts = (
+            *acts[:at],
+            acts[at].model_copy(update={"trigger": Trigger(kind="distance", value=gap)}),
+            *acts[at + 1 :],
+        )
     return [("phases", acts), *(c for c in changed if c[0] != "phases" and not c[0].startswith("placement"))]
 
 
@@ -130,7 +135,9 @@ def _by_the_side(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
         now = spec_of(structure[edit.component]).placement.position
         if sides and now in ("left_lane", "right_lane") and now != f"{sides[0]}_lane":
             found.append(SetField(component=edit.component, path="placement.position", value=f"{sides[0]}_lane"))
-            back = tuple(p.model_copy(update={"side": OPPOSITE[sides[0]]}) if p.action == "cut_in" else p for p in edit.value)
+            back = tuple(
+                p.model_copy(update={"side": OPPOSITE[sides[0]]}) if p.action == "cut_in" else p for p in edit.value
+            )
             found[found.index(edit)] = edit.model_copy(update={"value": back})
     return found
 
@@ -207,7 +214,7 @@ def mapped(phase: Phase, ids: dict[str, str]) -> Phase:
 
 
 def _so_long_after(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
-    """The new phases, of which a first one that comes so long after a stop waits as long: "sets off again after 4 s"."""
+    """The new phases, of which a first one so long after a stop waits as long: "sets off again after 4 s"."""
     trigger = new[0].trigger if new else None
     since = re.search(r"\b(?:start|beginning) (?:of|$)|\bafter the (?:start|beginning)\b", clause)
     if not old or old[-1].action != "stop" or trigger is None or trigger.kind != "time" or since:

@@ -32,7 +32,9 @@ def kept_place(changed: list[tuple[str, Any]], there: Component, told: str) -> l
     edge = isinstance(spec, ObjectSpec) and spec.placement.position in EDGES
     named = re.search(rf"{table()['roadside']}|\b(?:sidewalk|pavement|footpath|verge|shoulder)\b", told)
     hidden = any(path == "placement.hidden_by" for path, _ in changed)
-    return [c for c in changed if not (edge and not hidden and not named and c[0] == "placement.position" and c[1] in EDGES)]
+    return [
+        c for c in changed if not (edge and not hidden and not named and c[0] == "placement.position" and c[1] in EDGES)
+    ]
 
 
 def only_by_ego(told: str) -> bool:

@@ -209,7 +209,11 @@ def _denied(clause: str, structure: Structure) -> list[Edit] | None:
     for edit in found or ():
         if not isinstance(edit, SetField) or edit.path != "phases":
             continue
-        if edit.component != (doer.id if doer is not None else edit.component) or doer is None and edit.component == "E":
+        if (
+            edit.component != (doer.id if doer is not None else edit.component)
+            or doer is None
+            and edit.component == "E"
+        ):
             continue
         denied = {p.action for p in edit.value} - {"go_straight"}
         denied = {a for a in denied if doing(re.sub(table()["meanwhile"], "", clause), (a,))} or denied

@@ -177,7 +177,7 @@ def _moments(demand: str, changed: list[Value]) -> list[str]:
     """Clauses of time where nothing that is changed waits for anything."""
     said = MOMENT.search(demand) or LATER.search(demand)
     waits = any(
-        "trigger" in path or "until" in path or "light_changes" in path or "terminate" in path for path, _ in changed
+        "trigger" in path or "until" in path or "light_changes" in path or path.startswith("T.") for path, _ in changed
     )
     ordered = len([p for p, _ in changed if p.endswith(".action")]) > 1
     return [said[0]] if said and not waits and not ordered else []

@@ -22,6 +22,10 @@ from c2s_engine.structure.edits import AddObject, Edit
 TurnKind = Literal["question", "edit", "scenario", "undo", "redo"]
 
 
+MAP = re.compile(r"^(?:\w+ )?(?:use|take|load|set|change|switch)\b.{0,12}\bmap\b")
+"""That another map is to be used."""
+
+
 @dataclass(frozen=True)
 class Turn:
     """How a text is taken: the edits that it asks for (empty where none was understood), and what to answer."""
@@ -80,6 +84,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
         return Turn("scenario", span=whole)
     if structure is not None and structure.objects and (nobody := pointed.missing(plain, structure)):
         return Turn("edit", reply=_not_understood(typed, _absent(nobody, structure)), span=whole)
+    before = plain
     plain = put.plainly(plain, structure) if structure is not None else plain
     if structure is not None and (edits_said := _wished(plain, structure)):
         return Turn("edit", *edits_said, whole)
@@ -98,7 +103,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
         and not _goes_on(plain, structure)
     ):
         return Turn("scenario", span=whole)
-    edits, said = refine.edits_of(demanded, structure)
+    edits, said = refine.edits_of(demanded, structure, before)
     stranger = pointed.nobody(demanded, structure)
     if stranger and edits and not any(isinstance(e, AddObject) for e in edits):
         return Turn("edit", reply=_not_understood(typed, _absent(stranger, structure)), span=whole)
@@ -112,6 +117,9 @@ def _route(text: str, structure: Structure | None) -> Turn:
         return Turn("edit", reply=f"Nothing was changed: {'; '.join(said)}.", span=whole)
     if said:
         return Turn("edit", reply=_not_understood(typed, "; ".join(said)), span=whole)
+    if re.search(MAP, plain):
+        how = "a map that is at hand is chosen with /map NAME, a town of CARLA's by its name (“use Town05”)"
+        return Turn("edit", reply=_not_understood(typed, how), span=whole)
     short = len(plain.split()) < 9 and not re.search(r"[.;] \w", plain)
     told_of_here = not _of_strangers(plain, structure) or _of_those_there(plain, structure)
     if commanding or short or not another or told_of_here:

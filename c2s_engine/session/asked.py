@@ -75,8 +75,9 @@ def answered(question: str, shown: Finished | None) -> str:
     if shown is None or not shown.program.text or _ELSEWHERE.search(question):
         return ""
     if len(each := [q for q in _NEXT.split(question) if q and q.strip()]) > 1:
-        said = {q.strip(" ?"): answered(q, shown) for q in each}
-        return "\n".join(words or f"“{q}”: {UNANSWERED}" for q, words in said.items()) if any(said.values()) else ""
+        answers = {q.strip(" ?"): answered(q, shown) for q in each}
+        lines = [words or f"“{q}”: {UNANSWERED}" for q, words in answers.items()]
+        return "\n".join(lines) if any(answers.values()) else ""
     about = _Asked(question, shown)
     if _ASKS_MEANING.match(question.strip()) and (entry := meaning(question)):
         measured = _near(about) if shown.facts and re.search(_NEAR, question, re.I) else ""

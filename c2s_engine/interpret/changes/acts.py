@@ -11,11 +11,12 @@ from c2s_engine.interpret.changes.motion import is_relative
 from c2s_engine.interpret.changes.refer import doing, refer
 from c2s_engine.interpret.changes.retold import table
 from c2s_engine.interpret.reading import scan
+from c2s_engine.interpret.spans import Span
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, SetField
 from c2s_engine.structure.quantity import ends, in_words
 from c2s_engine.structure.specs import Phase
-from c2s_engine.structure.vocabulary import Action
+from c2s_engine.structure.vocabulary import Action, Part
 
 MOMENTARY = frozenset(("cut_in", "cut_out", "lane_change", "overtake"))
 """Acts of a moment, at which there is one gap."""
@@ -67,8 +68,33 @@ def at_rest_before(clause: str, edits: Sequence[Edit], structure: Structure) -> 
     return [acts.model_copy(update={"value": tuple(phases)}), *kept]
 
 
+STRUCK = re.compile(
+    r"(?:(?P<own>with its |with his |with her )?(?:(?<=with its )|(?<=with his )|(?<=with her )"
+    r"|(?!its|his|her)\w+.s|in the|on the|on its|from the) ?(?P<part>(?:(?:front|rear) )?(?:left"
+    r"|right)|front|rear|back|side)(?:-?hand)?"
+    r"(?: (?:side|corner|end|flank|door|wing))?|from (?P<way>behind|the rear|the back))$"
+)
+"""Where somebody is struck: "hits ego's left side", "runs into ego from behind"."""
+
+
+def struck(clause: str, edits: Sequence[Edit]) -> list[Edit]:
+    """The edits, and the part of whom he hits that somebody hits first."""
+    match = STRUCK.search(re.sub(table()["meanwhile"], " ", clause).strip(" ,"))
+    said = (
+        "rear" if match and match["way"] else (match["part"] if match else "").replace("back", "rear").replace(" ", "_")
+    )
+    found, field = list(edits), "part" if match and match["own"] else "target_part"
+    for number, edit in enumerate(edits if said in get_args(Part) else ()):
+        if isinstance(edit, SetField) and edit.path == "phases" and any(p.action == "collide" for p in edit.value):
+            phases = tuple(p if p.action != "collide" else p.model_copy(update={field: said})
+                           for p in edit.value)  # fmt: skip
+            found[number] = edit.model_copy(update={"value": phases})
+    return found
+
+
 def _other(clause: str, structure: Structure, doer: str) -> Component | None:
     """Who is named besides the doer."""
     spans = [s for s in scan.names(clause) if s.kind in ("actor", "label", "ego")]
+    spans += [Span("id", *m.span()) for m in re.finditer(r"\bo[1-9]\b", clause)]
     found = [refer(f"the {clause[s.start : s.end]}", structure, alone=False) for s in spans]
     return next((c for c in found if c is not None and c.id != doer), None)

@@ -12,14 +12,14 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import SetField
 from c2s_engine.structure.specs import Limit, RestrictionsSpec
 
-_CONTACT = re.compile(
+CONTACT = re.compile(
     r"touch(?:es|ed|ing)?|hits?|hitting|collid(?:e|es|ed|ing)|collisions?|contacts?|crash(?:es|ed|ing)?|strik(?:e|es|ing)"
 )
 _UNTOUCHED = re.compile(
     r"(?:(?:and|but|so|please|also) )*(?P<subject>(?:(?:the|my) )?§ )?"
     r"(?:(?:must|should|shall|may|can|will|do|does|has to|have to|is to|needs to|there|be) )*"
     r"(?:not|never|no|cannot|avoids?|avoiding)(?: (?:be|is|to|allowed|permitted|ever|have|make|come|into|any|an?))* "
-    rf"(?:{_CONTACT.pattern})(?: (?:with|into|against))?"
+    rf"(?:{CONTACT.pattern})(?: (?:with|into|against))?"
     r"(?: (?:(?:the|my) )?§(?: (?:and|or) (?:(?:the|my) )?§)*| (?:any|no)(?:body|one)(?: else)?| anything)?"
 )
 """That somebody (§) does not touch others, and nothing else."""
@@ -46,6 +46,69 @@ def bound(clause: str, structure: Structure) -> Found | None:
         return None
     kept = [m for m in _limits(structure) if (m.kind, m.subject) not in {(n.kind, n.subject) for n in limits}]
     return [SetField(component="T", path="limits", value=(*kept, *limits))], _told(limits, structure)
+
+
+KINDS = (
+    (r"lateral acceleration", "lateral_acceleration", "acceleration"),
+    (r"deceleration|braking", "deceleration", "acceleration"),
+    (r"acceleration", "acceleration", "acceleration"),
+    (r"time[ -]to[ -]collision|ttc", "ttc", "time"),
+    (r"gap|distance|headway|keeps? (?:always )?at least", "gap", "distance"),
+)
+"""What can be bounded, by the nouns for it, and of which dimension its numbers are."""
+LOWER = (
+    r"\b(?:(?:not|never) (?:\w+ )?(?:below|under|less than|smaller than|shorter than)|at least"
+    r"|no(?:t)? (?:less|smaller) than|minimum|above|over)\b"
+)
+UPPER = (
+    r"\b(?:(?:not|never) (?:\w+ )?(?:above|over|exceed|more than|larger than)|at most"
+    r"|no(?:t)? more than|maximum|limit(?:ed)?|restrict(?:ed)?|below|under|up to)\b"
+)
+OBLIGED = (
+    r"\b(?:must|should|shall|may|has to|never|limit(?:ed)?|restrict(?:ed)?|maximum|minimum|keep|stays?|remains?)\b"
+)
+
+
+def bounded(clause: str, structure: Structure) -> Found | None:
+    """ "Limit ego's deceleration to 5 m/s2", "the time to collision must not fall below 1.5 s": a quantity and its
+    bound; it replaces one of the same kind."""
+    kind = next(((k, d) for find, k, d in KINDS if re.search(rf"\b(?:{find})\b", clause)), None)
+    far = quantity_of(clause, kind[1]) if kind is not None else None
+    lower, upper = re.search(LOWER, clause), re.search(UPPER, clause)
+    if kind is None or far is None or not re.search(OBLIGED, clause) or not (lower or upper):
+        return None
+    if kind[0] == "gap" and not re.search(r"\b(?:never|not|always|all along|at any time|keeps? at least)\b", clause):
+        return None  # where somebody is
+    value = round(far["low"], 2)
+    names = [s for s in scan.names(clause) if s.kind in ("actor", "ego", "label")]
+    meant = [refer(f"the {clause[s.start : s.end]}", structure, alone=False) for s in names]
+    there = list(dict.fromkeys("ego" if c.id == "E" else c.id for c in meant if c is not None))
+    of_two = kind[0] in ("ttc", "gap")
+    subject = there[0] if there and (not of_two or len(there) > 1) else "ego"
+    other = next((c for c in there if c != subject), None) if of_two else None
+    limit = Limit.model_validate(
+        {"kind": kind[0], "subject": subject, "other": other, "minimum" if lower else "maximum": value}
+    )
+    kept = [m for m in _limits(structure) if (m.kind, m.subject, m.other) != (limit.kind, subject, other)]
+    return [SetField(component="T", path="limits", value=(*kept, limit))], _told([limit], structure)
+
+
+def allowed(clause: str, structure: Structure) -> Found | None:
+    """ "Ego may touch the truck": that it must not holds no longer, where that is a limit."""
+    match = re.match(
+        rf"(?P<who>.+?) (?:may|is allowed to|is permitted to) (?P<not>not )?(?P<does>{CONTACT.pattern}) ?(?P<whom>.*)$",
+        clause,
+    )
+    subject = refer(match["who"], structure, alone=False) if match and not match["not"] else None
+    if match is None or subject is None:
+        return None
+    other = refer(match["whom"], structure, alone=False)
+    both = {"ego" if c.id == "E" else c.id for c in (subject, other) if c is not None}
+    meant = [m for m in _limits(structure) if m.kind == "collision" and {m.subject, m.other or m.subject} <= both]
+    if not meant:
+        return [], f"no limit forbids what “{clause}” allows"
+    kept = tuple(m for m in _limits(structure) if m not in meant)
+    return [SetField(component="T", path="limits", value=kept)], f"no longer: {_told(meant, structure)}"
 
 
 def contact(clause: str, structure: Structure) -> Found | None:
@@ -105,6 +168,6 @@ def _words_of(limit: Limit, structure: Structure) -> str:
 
 def _stem(word: str) -> str:
     """A word without its ending: brakes, braking, hit and hitting; what tells of a contact is one word."""
-    if _CONTACT.fullmatch(word):
+    if CONTACT.fullmatch(word):
         return "touch"
     return re.sub(r"(?:ing|ed|es|s|e)$", "", word) if len(word) > 3 else word

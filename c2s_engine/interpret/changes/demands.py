@@ -93,6 +93,36 @@ def _value(demand: str, before: str, who: str) -> str:
     return re.sub(r" (?:km/h|m)$", f" {value['unit'].strip()}", told) if value["unit"] else told
 
 
+def apart(part: str) -> list[str]:
+    """A demand and what it denies besides: "stops without hitting the truck", "brakes instead of changing lanes"."""
+    match = next((m for find in (_UNTOUCHED, _GIVEN_UP) if (m := find.match(part))), None)
+    if match is None:
+        return [part]
+    first = next((s for s in scan.names(match["head"]) if s.kind in ("actor", "ego", "label")), None)
+    named = re.match(r"(?:let |make |have )?(?P<who>o\d)\b", match["head"])
+    who = named["who"] if named else match["head"][: first.end] if first else "it"
+    who = re.sub(r"^(?:let|make|have) ", "", who)
+    if match.re is _UNTOUCHED:
+        return [match["head"], f"{who} must not touch {match['whom'] or 'anybody'}"]
+    return [match["head"], f"{who} does not {_base(match['verb'])}{match['rest']}"]
+
+
+_UNTOUCHED = re.compile(
+    r"(?P<head>.+?),? (?:and |but )?without (?:ever )?(?:hitting|touching|striking|crashing into"
+    r"|colliding with|(?:any |a )?"
+    r"(?:contact|collision)(?: with)?)(?: (?P<whom>.+))?$"
+)
+_GIVEN_UP = re.compile(r"(?P<head>.+?) instead of (?P<verb>(?!being\b)\w{3,}ing)\b(?P<rest>.*)$")
+
+
+def _base(verb: str) -> str:
+    """The verb of a form with -ing."""
+    stem = verb.removesuffix("ing")
+    if re.search(r"([bdgmnprt])\1$", stem):
+        return stem[:-1]
+    return f"{stem}e" if re.search(r"(?:[iaou][dkvst]|ng|rg|rv|dl|tl)$", stem) else stem
+
+
 def topic_of(demand: str, structure: Structure) -> ComponentId | None:
     """Whom a demand is about."""
     found = refer(demand, structure, alone=False)
@@ -123,6 +153,8 @@ def _parts(sentence: str) -> list[str]:
         table["while_it"],
         table["paced_too"],
         table["becomes_too"],
+        r"\s+and\s+(?=(?:ego|o\d) an? [\w-]+$)",
+        r"\s*,?\s+but\s+(?=(?:with |in )?(?:fog|rain|snow|wind|night|dusk|dawn|clear)\b)",
         r"\s*,\s+(?:and |but )?",
         rf"\s+(?:and|but)\s+(?=(?:then )?{starts}|(?:please|also|at the same time) \w|(?:to|should|must|has to) \w)",
         rf"\s+but\s+(?={contrast})",

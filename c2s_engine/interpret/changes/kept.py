@@ -13,6 +13,10 @@ from c2s_engine.structure.specs import Phase
 
 WAYS = {"go_straight": "straight", "turn_left": "left", "turn_right": "right", "u_turn": "u_turn"}
 """Ways through an intersection, as actions and as ego's manoeuvre."""
+PACING = frozenset(("brake", "accelerate", "stop", "wait", "collide"))
+"""Acts that say nothing of the way on which somebody does them."""
+ASIDE = frozenset(("lane_change", "cut_in", "cut_out", "overtake", "swerve", "drift", "oncoming", "leave_road"))
+"""Acts that say where somebody goes."""
 NUMBERS = ("speed", "rate", "gap", "duration", "lateral_speed", "clearance")
 """Fields of a phase that are numbers."""
 
@@ -25,8 +29,15 @@ def with_old(old: Sequence[Phase], new: Sequence[Phase], clause: str) -> tuple[P
         return tuple(new)
     known = {p.action for p in old}
     again = [i for i, p in enumerate(new) if p.action in known]
-    told = [i for i, p in enumerate(old) if doing(clause, (p.action,))]
+    turns = any(p.action in WAYS for p in new)
+    told = [i for i, p in enumerate(old) if doing(clause, (p.action,)) and not (turns and p.action in WAYS)]
     if not again:
+        if len(new) == 1 and new[0].action in PACING and not re.search(table()["plainly"], clause):
+            midway = re.search(table()["midway"], clause)
+            beside = [p for p in old if p.action in ASIDE or midway and p.action == "cross_road"
+                      or p.action == "follow" and p.target != new[0].target]  # fmt: skip
+            if beside and not told and not re.search(r"\bbefore\b", clause):
+                return (*beside, *new)  # how fast it goes says nothing of where it goes
         if not told or len(new) != 1:
             return tuple(new)
         at = told[0] if re.search(r"\bbefore\b", clause) else told[-1] + 1

@@ -139,7 +139,9 @@ def reaction(clause: str, structure: Structure) -> Found | None:
     if component is None:
         return None
     if component.id == "E":
-        if re.search(r"(not|n't|never|without) (brak|react|stop|swerv|evad)|no reaction|ignores", clause):
+        if re.search(
+            r"(not|n't|never|without) (brak|react|stop|swerv|evad|yield|giv\w+ way)|no reaction|ignores", clause
+        ):
             return [
                 SetField(component="E", path="reaction", value="none"),
                 SetField(component="E", path="hard", value=False),

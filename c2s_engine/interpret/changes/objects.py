@@ -97,6 +97,8 @@ def retype(clause: str, structure: Structure) -> Found | None:
         if pattern == table["how_many"] and (not objects_of(structure, kind)):
             continue
         who = match.groupdict().get("who") or ""
+        if re.search(r"\b(?:driver|rider|passenger)\b", who):
+            return [], f"“{clause}”: who drives is no part of S"
         alike = who in ("", "it", "that", "this", "one", "just one", "only one", "a single one")
         component = _akin(kind, structure) if alike else refer(who.split(" and ")[0] if plural else who, structure)
         if component is None:

@@ -3,7 +3,7 @@
 from c2s_engine.interpret.changes.acts import gap_of_act
 from c2s_engine.interpret.changes.approach import start_distance
 from c2s_engine.interpret.changes.beside import abreast
-from c2s_engine.interpret.changes.bounds import bound, contact, lifted
+from c2s_engine.interpret.changes.bounds import allowed, bound, bounded, contact, lifted
 from c2s_engine.interpret.changes.forms import Form
 from c2s_engine.interpret.changes.how_many import count
 from c2s_engine.interpret.changes.looks import blueprint
@@ -19,7 +19,9 @@ from c2s_engine.interpret.changes.told import acting, standing
 
 FORMS: tuple[Form, ...] = (
     lifted,
+    allowed,
     bound,
+    bounded,
     contact,
     ending,
     length,

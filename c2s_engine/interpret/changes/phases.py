@@ -7,10 +7,23 @@ from typing import Any
 from c2s_engine.interpret.changes.kept import WAYS, with_old
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of, told_of
 from c2s_engine.interpret.changes.retold import table
-from c2s_engine.structure.components import Structure
+from c2s_engine.interpret.what.towards import OPPOSITE
+from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, SetField
-from c2s_engine.structure.specs import EgoSpec, Phase, Trigger
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
+from c2s_engine.structure.vocabulary import Action
 
+AFTER = re.compile(
+    r"\b(?:(?P<delay>\d[\d.]*) ?(?:s|secs?|seconds?) )?(?:only )?(?:after|as soon as|once|when"
+    r"|from) (?P<what>[^,]+?)(?=$| (?:with|at|by|to) \d)"
+)
+OVER = frozenset(("cut_in", "lane_change", "drift"))
+"""What it is called when somebody comes over the line of a lane."""
+AFTER_AHEAD = re.compile(
+    r"^(?:(?P<delay>\d[\d.]*) ?(?:s|secs?|seconds?) )?(?:only )?(?:after|from) (?P<what>(?:the|its|his|her) [\w -]+?)"
+    r"(?:, | (?=(?:it|he|she|they|ego|o\d|the) ))"
+)
+PASSED = re.compile(r"\b(?:has|have|is|are|had) (?:passed|gone (?:past|by)|driven (?:past|by)|past|by)\b")
 PASSING = frozenset(("run_red", "run_stop"))
 """What one does against its light or sign."""
 
@@ -19,6 +32,8 @@ def awaited(told: str, structure: Structure) -> Trigger | None:
     """ "As soon as the child starts to cross, the bus stops": what another does, for which it is waited."""
     if moment := re.match(table()["at_a_time"], told):
         return Trigger(kind="time", value=float(moment["seconds"]))
+    if then := afterwards(told, structure):
+        return then[1]
     match = re.match(table()["awaits"], told)
     if match is None or re.search(r"\d", condition := match["before"] or match["after"]):
         return None
@@ -29,6 +44,80 @@ def awaited(told: str, structure: Structure) -> Trigger | None:
     if other.id == "E":
         return Trigger(kind="action", of="ego", action=said[0]) if said else None
     return Trigger(kind="action", of=other.id, action=(said or told_of(condition) or actions)[0])
+
+
+def afterwards(told: str, structure: Structure) -> tuple[str, Trigger] | None:
+    """ "Brakes 2 s after the cut-in", "only after the car has passed": the text without the moment, and this one told
+    by what somebody does by S; None where nobody there does it."""
+    match = next((m for m in AFTER.finditer(told)), None) or AFTER_AHEAD.match(told)
+    if match is None or re.search(r"\d", match["what"]):
+        return None
+    main = f"{told[: match.start()]} {told[match.end() :]}".strip(" ,")
+    delay = float(match["delay"]) if match["delay"] else None
+    named = refer(match["what"], structure, alone=False)
+    if named is not None and PASSED.search(match["what"]):
+        of = "ego" if named.id == "E" else named.id
+        return main, Trigger(kind="passed", of=of, delay=delay)
+    if named is not None and re.fullmatch(r"(?:the )?[\w-]+", match["what"]):
+        act = next(iter(told_of(main)), None)  # "brakes 1 s after ego"
+        return (main, _of(named, act, delay)) if act and delay is not None else None
+    if named is not None and delay is None:
+        return None
+    doers = [named] if named is not None else list(structure.components)
+    found = [(c, p.action) for c in doers for p in getattr(c.spec, "phases", ()) if doing(match["what"], (p.action,))]
+    if len(found) != 1:
+        return None
+    ((doer, act),) = found
+    subject = refer(main, structure, alone=False)
+    if delay is None and subject is not None and subject.id == doer.id:
+        return None  # the order of his acts says it
+    return main, _of(doer, act, delay)
+
+
+def _of(doer: Component, act: Action, delay: float | None) -> Trigger:
+    return Trigger(kind="action", of="ego" if doer.id == "E" else doer.id, action=act, delay=delay)
+
+
+def begun(phases: tuple[Phase, ...], waited: Trigger | None, old: Sequence[Phase]) -> tuple[Phase, ...]:
+    """The phases, of which the first that is told anew begins when what is waited for happens."""
+    if waited is None or not phases or any(p.trigger == waited for p in phases):
+        return phases
+    known = {p.action for p in old}
+    new = [i for i, p in enumerate(phases) if p.action not in known] or [0]
+    at = new[0] if all(p.action in known for p in phases[: new[0]]) else 0
+    if phases[at].trigger is not None and phases[at].trigger.kind != waited.kind:  # type: ignore[union-attr]
+        return phases
+    return (*phases[:at], phases[at].model_copy(update={"trigger": waited}), *phases[at + 1 :])
+
+
+def in_other_words(phases: tuple[Phase, ...], now: EgoSpec | ObjectSpec) -> tuple[Phase, ...]:
+    """The phases, of which one that tells what he does already by another name is that: who comes over the line from
+    the oncoming lane does not cut in."""
+    if not _over_the_line(now):
+        return phases
+    same = {"action": "oncoming", "side": None, "target": None}
+    return tuple(p.model_copy(update=same) if p.action in OVER else p for p in phases)
+
+
+def begun_at(changed: list[tuple[str, Any]], there: Component) -> list[tuple[str, Any]]:
+    """The changes, in which a distance at which one comes over the line is when he does so, not where he starts."""
+    acts = next((value for path, value in changed if path == "phases"), ())
+    at = next((i for i, p in enumerate(acts) if p.action == "oncoming"), None)
+    gap = next((value for path, value in changed if path == "placement.gap" and value is not None), None)
+    if at is None or not _over_the_line(there.spec) or not any(path == "placement.position" for path, _ in changed):
+        return changed
+    if gap is not None:
+        acts = (
+            *acts[:at],
+            acts[at].model_copy(update={"trigger": Trigger(kind="distance", value=gap)}),
+            *acts[at + 1 :],
+        )
+    return [("phases", acts), *(c for c in changed if c[0] != "phases" and not c[0].startswith("placement"))]
+
+
+def _over_the_line(spec: Any) -> bool:
+    acts = {p.action for p in getattr(spec, "phases", ())}
+    return isinstance(spec, ObjectSpec) and spec.placement.position == "oncoming_lane" and "oncoming" in acts
 
 
 def settled(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
@@ -46,6 +135,10 @@ def _by_the_side(edits: Sequence[Edit], structure: Structure) -> list[Edit]:
         now = spec_of(structure[edit.component]).placement.position
         if sides and now in ("left_lane", "right_lane") and now != f"{sides[0]}_lane":
             found.append(SetField(component=edit.component, path="placement.position", value=f"{sides[0]}_lane"))
+            back = tuple(
+                p.model_copy(update={"side": OPPOSITE[sides[0]]}) if p.action == "cut_in" else p for p in edit.value
+            )
+            found[found.index(edit)] = edit.model_copy(update={"value": back})
     return found
 
 
@@ -100,7 +193,7 @@ def paused(phases: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
     """The phases with how long one stands who stops: "stops for 2 s"."""
     said = re.search(table()["paused"], clause)
     stops = [i for i, p in enumerate(phases) if p.action == "stop"]
-    if said is None or not stops:
+    if said is None or not stops or any(p.action == "wait" for p in phases[stops[0] :]):
         return phases
     wait = Phase(action="wait", duration=float(said["seconds"]))
     return (*phases[: stops[0] + 1], wait, *phases[stops[0] + 1 :])
@@ -120,11 +213,21 @@ def mapped(phase: Phase, ids: dict[str, str]) -> Phase:
     return phase.model_copy(update={"trigger": trigger, "target": target})
 
 
+def _so_long_after(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
+    """The new phases, of which a first one so long after a stop waits as long: "sets off again after 4 s"."""
+    trigger = new[0].trigger if new else None
+    since = re.search(r"\b(?:start|beginning) (?:of|$)|\bafter the (?:start|beginning)\b", clause)
+    if not old or old[-1].action != "stop" or trigger is None or trigger.kind != "time" or since:
+        return new
+    return (Phase(action="wait", duration=trigger.value), new[0].model_copy(update={"trigger": None}), *new[1:])
+
+
 def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple[Phase, ...]:
     """What it does from now on: the new phases; behind the old ones where the clause says so; where they only say more
     of an old phase, that one with what is new."""
     if re.search(table()["besides"], clause) and (len(new) == 1 or re.match(table()["afterwards"], clause)):
         turns = any(p.action in WAYS for p in new)
+        new = _so_long_after(old, new, clause)
         if old and new and old[-1].action == new[0].action:
             new = new[1:]
         if new and new[0].action in PASSING:
@@ -138,7 +241,7 @@ def joined(old: tuple[Phase, ...], new: tuple[Phase, ...], clause: str) -> tuple
     passed = [p for p in old if p.action in PASSING]
     others = {p.action for p in new} - WAYS.keys()
     obeys = bool(others) and others <= {"stop", "wait", "yield", "start"}
-    if obeys and ways and (passed or re.search(table()["at_the_line"], clause)):
+    if obeys and ways and (passed or others == {"yield"} or re.search(table()["at_the_line"], clause)):
         told = [p for p in new if p.action in WAYS and p.action != "go_straight"]
         return (*(p for p in new if p.action not in WAYS), *(told or ways))
     only = re.search(table()["only_that"], clause)

@@ -66,6 +66,7 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
         found = alike or found
         if not found and span.data["type"] in ("child", "pedestrian"):
             found = []
+        found = found or [c for c in structure.objects if span.data["noun"] in spec_of(c).name.split("_")]
         if found:
             return chosen(plain[: span.start], span.data["noun"], span.data["roles"], found)
         if language.actor_nouns().get(span.data.get("noun", "")):

@@ -6,14 +6,16 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import limits, notes, order
 from c2s_engine.interpret.changes.all_of_them import each_of_all
-from c2s_engine.interpret.changes.demands import demands, topic_of, whole
+from c2s_engine.interpret.changes.claims import Left, unmet
+from c2s_engine.interpret.changes.demands import apart, demands, topic_of, whole
 from c2s_engine.interpret.changes.forms import ALREADY
 from c2s_engine.interpret.changes.meant import by_labels
 from c2s_engine.interpret.changes.refer import actions_of, doing, refer
 from c2s_engine.interpret.changes.speed import walked
-from c2s_engine.interpret.changes.told import introduced
+from c2s_engine.interpret.changes.still import still_done
+from c2s_engine.interpret.changes.told import introduced, unread
 from c2s_engine.interpret.changes.unshown import unshown
-from c2s_engine.interpret.reading import scan
+from c2s_engine.interpret.reading import amounts, scan
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import AddObject, Edit, EditError, SetField, apply
 from c2s_engine.structure.sentences import sentence
@@ -21,16 +23,20 @@ from c2s_engine.structure.sentences import sentence
 Found = tuple[list[Edit], str]
 
 
-def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
-    """The edits that a text asks for and what each does, in order; empty where nothing was understood. Raises
-    EditError where S refuses all that is asked for."""
+def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edit], list[str]]:
+    """The edits that a text asks for and what each does, in order; empty where nothing was understood. `typed`: the
+    text before it was put plainly, which may have left out what it denies. Raises EditError where S refuses all that is
+    asked for."""
     edits: list[Edit] = []
     said: list[str] = []
     current = structure
     text = notes.text_of(by_labels(text, structure), structure)
     refused: EditError | None = None
+    unclear: list[str] = []
+    unread_parts: list[str] = []
+    done: list[tuple[str, Structure, Structure]] = []
     before, topic = "", _doer(text, structure) or topic_of(text, structure)
-    parts = [d for part in limits.in_order(demands(text)) for d in each_of_all(part, structure)]
+    parts = [d for part in limits.in_order(demands(text)) for own in apart(part) for d in each_of_all(own, structure)]
     if len(parts) > 1 and not order.retype(parts[0], structure):
         of_new = _of_the_new(parts, structure)
         if len(of_new) > 1 and (new := introduced(of_new, structure)):
@@ -43,13 +49,21 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
         while parts and (both := _in_a_row(demand, parts[0], current)):
             demand = both
             parts.pop(0)
+        demand = _other_one(demand, current)
         before, topic = demand, topic_of(demand, current) or topic
         hidden = unshown(demand)
         try:
-            found = (hidden) if hidden else _found(demand, current)
-            if found is None and (named := _with_article(demand, current)):
-                found = _found(named, current)
-            if found is None:
+            read = (hidden, Left()) if hidden else _found(demand, current)
+            for other in (_with_article(demand, current), _with_verb(demand, current)):
+                if other and (read is None or read[1]):
+                    again = _found(other, current)
+                    read = again if again and (read is None or len(again[1]) < len(read[1])) else read
+            if read is None:
+                unread_parts += [demand] if _tells(demand, current) else []
+                continue
+            found, lost = read
+            unclear += [*lost.needed, *lost.besides]
+            if lost.needed or lost.besides and not found[0]:
                 continue
             after = _applied(found, current)
         except EditError as error:
@@ -57,13 +71,28 @@ def edits_of(text: str, structure: Structure) -> tuple[list[Edit], list[str]]:
             continue
         if found[0] and _same(current, after):
             found = [], f"{ALREADY} ({found[1]})"
+        done += [(demand, current, after)] if found[0] else []
         current = after
         edits += found[0]
         said.append(found[1])
         topic = next((c for e in reversed(found[0]) if (c := _object(e))), topic)
+    for demand in still_done(typed or text, current) if edits else ():
+        if (read := _found(demand, current)) and read[0][0] and not read[1]:
+            current = _applied(read[0], current)
+            edits, said = [*edits, *read[0][0]], [*said, read[0][1]]
+        else:
+            unclear.append(demand)
     if refused is not None and not said:
         raise refused
     said += [f"not done: {refused}"] if refused is not None else []
+    for demand, then, so in done[:-1]:
+        was = {*(first := unmet(demand, then, so)).needed, *first.besides}
+        undone = unmet(demand, then, current)
+        unclear += [w for w in (*undone.needed, *undone.besides) if w not in was]
+    unclear += unread_parts if said or unclear else []
+    if unclear:
+        why = f"it is not clear what {' and '.join(f'“{words}”' for words in dict.fromkeys(unclear))} changes"
+        said.append(f"not done: {why}" if edits else why)
     return [*edits, *described(structure, current)], said
 
 
@@ -109,20 +138,56 @@ def _in_a_row(first: str, then: str, structure: Structure) -> str | None:
     return both if order.acting(first, structure) else None
 
 
-def _found(demand: str, structure: Structure) -> Found | None:
-    """What the first form that fits asks for; where somebody does that already, how fast he is to do it."""
+def _found(demand: str, structure: Structure) -> tuple[Found, Left] | None:
+    """What the form asks for that leaves fewest words of the demand without an answer, and these words; of forms that
+    leave as many the first. Where somebody does that already, how fast he is to do it."""
     table = language.table("refine")["told"]
-    forms = order.FORMS
-    for form in forms:
+    best: tuple[Found, Left] | None = None
+    for form in order.FORMS:
         found = form(demand, structure)
         if found is None:
             continue
         denied = re.search(table["denies"], demand)
         if form is order.acting and not denied and all(_already(e, structure) for e in found[0]):
             waits = re.search(table["meanwhile"], demand)
-            return None if waits else walked(demand, structure) or ([], f"{ALREADY} ({found[1]})")
-        return found
-    return None
+            if waits:
+                return best
+            found = walked(demand, structure) or ([], f"{ALREADY} ({found[1]})")
+        lost = _lost(demand, found, structure)
+        if form in (order.acting, order.standing) and found[0]:
+            lost = lost.with_more(unread(demand, structure))
+        if best is None or len(lost) < len(best[1]):
+            best = found, lost
+        if not lost or form is order.acting:
+            return best
+    return _together(demand, best, structure) if best is not None and best[1] else best
+
+
+def _together(demand: str, first: tuple[Found, Left], structure: Structure) -> tuple[Found, Left]:
+    """What a form asks for, with what others ask for besides that answers more of the words: "2 s later and 10 m
+    further ahead"."""
+    (edits, said), lost = first
+    for form in order.FORMS:
+        current = _applied((edits, said), structure)
+        more = form(demand, current)
+        if more is None or not more[0] or {_field(e) for e in more[0]} & {_field(e) for e in edits}:
+            continue
+        both = [*edits, *more[0]], f"{said}; {more[1]}"
+        left = unmet(demand, structure, _applied(both, structure))
+        if len(left) < len(lost):
+            (edits, said), lost = both, left
+    return (edits, said), lost
+
+
+def _field(edit: Edit) -> tuple[str, str]:
+    return str(getattr(edit, "component", "")), str(getattr(edit, "path", ""))
+
+
+def _lost(demand: str, found: Found, structure: Structure) -> Left:
+    """The words that edits leave without an answer; none where a form only says why nothing is done."""
+    if not found[0] and not found[1].startswith(ALREADY):
+        return Left()
+    return unmet(demand, structure, _applied(found, structure))
 
 
 def _with_article(demand: str, structure: Structure) -> str:
@@ -132,6 +197,28 @@ def _with_article(demand: str, structure: Structure) -> str:
     if first is None or not bare or refer(f"the {demand[: first.end]}", structure, alone=False) is None:
         return ""
     return f"the {demand}"
+
+
+def _with_verb(demand: str, structure: Structure) -> str:
+    """A demand with the verb that it leaves out between one who is there and a place: "o2 on the left sidewalk"."""
+    match = re.match(r"(?P<who>(?:the )?[\w-]+) (?P<where>(?:on|in|at|behind|beside|ahead of|in front of) .+)$", demand)
+    if match is None or refer(match["who"], structure, alone=False) is None:
+        return ""
+    return f"{match['who']} is {match['where']}"
+
+
+def _other_one(demand: str, structure: Structure) -> str:
+    """A demand about ego in which "it" is the only other one who is there: "ego stops 2 m away from it"."""
+    if len(structure.objects) != 1 or not re.match(r"(?:the )?ego\b", demand):
+        return demand
+    cid = structure.objects[0].id.lower()
+    return re.sub(r"\b(from|of|before|behind|for|with|past|to) (?:it|him|her|them)$", rf"\g<1> {cid}", demand)
+
+
+def _tells(demand: str, structure: Structure) -> bool:
+    """Whether a demand that no form reads tells something of the scene: of somebody there, or a number."""
+    told = any(q.data["dimension"] != "percent" for q in amounts.quantities(demand))
+    return told or refer(demand, structure, alone=False) is not None
 
 
 def _already(edit: Edit, structure: Structure) -> bool:

@@ -72,13 +72,21 @@ def _settled(said: str, structure: Structure) -> str:
             continue
         meant = refer(f"the {said[span.start : span.end]}", structure, alone=False)
         same = meant is not None and meant.id != "E" and spec_of(meant).count == 1
-        if meant is None or not same or span.data["type"] not in PERSONS:
+        if meant is None or not same:
             continue
-        if spec_of(meant).type not in (span.data["type"], "bicycle", "motorcycle"):
+        if span.data["type"] not in PERSONS and not _misnamed(span, meant):
+            continue
+        if span.data["type"] in PERSONS and spec_of(meant).type not in (span.data["type"], "bicycle", "motorcycle"):
             continue
         article = "" if re.search(r"\b(?:the|that|this|second|other|another|more)(?: \w+)? $", before) else "the "
         said = f"{before}{article}{_noun(meant)}{said[span.end :]}"
     return said
+
+
+def _misnamed(span: Span, meant: Component) -> bool:
+    """Whether a noun that is a word of somebody's name is that of another type: the scooter of an e-scooter."""
+    spec = spec_of(meant)
+    return span.data["type"] != spec.type and span.data["noun"] in spec.name.split("_")
 
 
 def _called(cid: ComponentId, structure: Structure) -> str:
@@ -94,6 +102,12 @@ def located_in(told: str) -> bool:
     return bool(re.match(table()["located"], re.sub(table()["meanwhile"], "", told)))
 
 
+def on_its_way(told: str, component: Component) -> bool:
+    """Whether a sentence says what one who crosses the road does on it, not where he begins."""
+    crosses = any(p.action == "cross_road" for p in getattr(component.spec, "phases", ()))
+    return crosses and re.search(table()["midway"], told) is not None
+
+
 def scene(structure: Structure, told: str) -> str:
     """Where everything stands, without what it does and without what the sentence tells anew: where somebody is, or
     where ego goes.
@@ -107,6 +121,7 @@ def scene(structure: Structure, told: str) -> str:
     mover = refer(told, structure, alone=False) if told_speed else None
     placed = located_in(told) and not re.match(table()["adds"], told)
     located = refer(told, structure, alone=False) if placed else None
+    located = None if located is not None and on_its_way(told, located) else located
     names = {c.id: _noun(c) for c in structure.objects}
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
@@ -125,7 +140,11 @@ def scene(structure: Structure, told: str) -> str:
             sentence = describe.obj(spec_of(component).model_copy(update={"phases": (), **assumed}), names)
         sentences.append(re.sub(r"^An? ", "Another ", sentence) if _noun(component) in told_of else sentence)
         told_of.add(_noun(component))
-    return " ".join(sentences)
+    return " ".join(_SPEED_BEHIND.sub(r", at \g<speed>, \g<hidden>.", s) for s in sentences)
+
+
+_SPEED_BEHIND = re.compile(r", (?P<hidden>hidden by [\w -]+), at (?P<speed>[\d.]+ km/h)\.$")
+"""A speed that would be read as that of who hides somebody."""
 
 
 @lru_cache(64)

@@ -7,22 +7,27 @@ they differ are set, of the components that the clause names and of those that a
 import re
 from typing import Any
 
-from c2s_engine.interpret.changes.acts import at_rest_before
+from c2s_engine.interpret.changes.acts import at_rest_before, struck
 from c2s_engine.interpret.changes.apart import told_apart
+from c2s_engine.interpret.changes.bounds import CONTACT
 from c2s_engine.interpret.changes.forms import Found
 from c2s_engine.interpret.changes.in_words import in_words
 from c2s_engine.interpret.changes.kept import WAYS
 from c2s_engine.interpret.changes.phases import (
     PASSING,
+    afterwards,
     awaited,
+    begun,
+    begun_at,
     given_up,
+    in_other_words,
     joined,
     mapped,
     paused,
     settled,
     without_awaited,
 )
-from c2s_engine.interpret.changes.places import added_as, only_by_ego, placed_before
+from c2s_engine.interpret.changes.places import added_as, kept_place, only_by_ego, placed_before
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
 from c2s_engine.interpret.reading import scan
@@ -64,7 +69,7 @@ def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
     found = _read_amid(*told_apart(clause, structure), wanted)
     if found is None:
         return None
-    found = at_rest_before(clause, found, structure)
+    found = struck(clause, at_rest_before(clause, found, structure))
     edits = [_named_apart(e, structure) if isinstance(e, AddObject) else e for e in found]
     return edits, in_words(edits, structure)
 
@@ -94,6 +99,9 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
         and re.search(r"(?<!to the )(?<!across to )\b(?:other|opposite) side\b", clause)
     ):
         return None
+    waited = awaited(told, structure)
+    if then := afterwards(told, structure):
+        told = then[0]
     there_is = scene(structure, told)
     was, now = read(there_is), read(f"{there_is} {told[0].upper()}{told[1:]}.")
     if was is None or now is None or len(was.objects) != len(structure.objects) or len(now.objects) < len(was.objects):
@@ -109,14 +117,14 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
     ids = {c.id: there[before[c.id].id] for c in now.objects if c.id in before}
     number = int(structure.next_object_id()[1:])
     ids |= {cid: f"O{number + i}" for i, cid in enumerate(added)}
-    waited = awaited(told, structure)
     main = re.sub(table()["meanwhile"], " ", told)
     main = main if scan.names(main) else told
     edits: list[Edit] = []
     paths: list[str] = []
     for component in now.components:
         cid = ids.get(component.id, component.id)
-        if component.id in ("G", "T") or waited is not None and cid == waited.of:
+        awaited_only = waited is not None and cid == waited.of and not _names(main, structure[cid], structure)
+        if component.id in ("G", "T") or awaited_only:
             continue
         if component.id.startswith("O") and component.id not in ids:
             continue  # a sign, or one like it is there
@@ -126,6 +134,8 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
         elif cid == "R" or _names(main, structure[cid], structure):
             old = before.get(component.id) or was[component.id]
             changed = _changes(old, component, structure[cid], ids, clause, waited)
+            changed = begun_at(changed, structure[cid])
+            changed = kept_place(changed, structure[cid], told)
             if cid not in ("R", "E") and _only_beside(main, structure[cid], structure):
                 changed = [c for c in changed if c[0] in ("placement.hidden_by", "count")]
             if cid == "R" and getattr(structure.place.spec, "ego_lane", None) == "middle" and not located_in(told):
@@ -194,14 +204,24 @@ def _denied(clause: str, structure: Structure) -> list[Edit] | None:
     found = _read_amid(positive, structure, lambda path: path == "phases") if number == 1 else None
     edits: list[Edit] = []
     doer = refer(clause, structure, alone=False)
+    if doer is not None and doer.id == "E" and not re.match(r"(?:the )?ego\b", clause):
+        doer = None  # to whom it is not done
     for edit in found or ():
-        if not isinstance(edit, SetField) or edit.path != "phases" or not edit.component.startswith("O"):
+        if not isinstance(edit, SetField) or edit.path != "phases":
             continue
-        if doer is not None and doer.id != edit.component:
+        if (
+            edit.component != (doer.id if doer is not None else edit.component)
+            or doer is None
+            and edit.component == "E"
+        ):
             continue
         denied = {p.action for p in edit.value} - {"go_straight"}
         denied = {a for a in denied if doing(re.sub(table()["meanwhile"], "", clause), (a,))} or denied
-        phases = spec_of(structure[edit.component]).phases
+        own = structure[edit.component].spec
+        assert isinstance(own, EgoSpec | ObjectSpec)
+        phases = own.phases
+        if edit.component == "E":
+            denied -= WAYS.keys()
         kept = tuple(p for p in phases if p.action not in denied)
         if kept != phases:
             edits.append(SetField(component=edit.component, path="phases", value=kept))
@@ -272,16 +292,18 @@ def _changes(
             continue  # where somebody begins, not that he stays there
         same = same or path == "speed" and not value and bool(re.search(table()["besides"], clause))
         same = same and not (path == "phases" and value and re.search(table()["besides"], clause))
-        if same or path in ("name", "component", "model") or (there.id == "R" and path not in PLACE):
+        if same or path in ("name", "component", "model", "type") or (there.id == "R" and path not in PLACE):
             continue
+        if path == "reaction" and value == "none" and not _unmoved(now, clause):
+            continue  # what it does of its own accord does not say that it reacts to nothing
         if path == "phases":
             assert isinstance(there.spec, EgoSpec | ObjectSpec) and isinstance(now.spec, EgoSpec | ObjectSpec)
             turns = any(p.action in ("turn_left", "turn_right", "u_turn") for p in now.spec.phases)
             phases = tuple(mapped(p, ids) for p in now.spec.phases if not (turns and p.action == "go_straight"))
             phases = paused(phases, clause)
             phases = tuple(sorted(phases, key=lambda p: p.action not in PASSING))
-            if waited is not None and phases and (phases[0].trigger is None or phases[0].trigger.kind == waited.kind):
-                phases = (phases[0].model_copy(update={"trigger": waited}), *phases[1:])
+            phases = in_other_words(phases, there.spec)
+            phases = begun(phases, waited, there.spec.phases)
             found.append((path, joined(there.spec.phases, phases, clause)))
         elif path == "placement":
             place = placed_before(was, now, there, clause)
@@ -293,6 +315,26 @@ def _changes(
         elif value is not None:
             found.append((path, ids.get(value, value) if path == "react_to" else value))
     return found
+
+
+def _unmoved(now: Component, clause: str) -> bool:
+    """Whether ego reacts to nobody by a clause: it denies it, tells of a contact, or ego passes somebody."""
+    assert isinstance(now.spec, EgoSpec)
+    passes = any(p.action in ("overtake", "collide") for p in now.spec.phases)
+    return passes or CONTACT.search(clause) is not None or re.search(table()["denies"], clause) is not None
+
+
+def unread(clause: str, structure: Structure) -> list[str]:
+    """The words of a clause that are not understood where it is read amid the scene."""
+    told = indicative(clause, structure)
+    if told is None:
+        return []
+    if then := afterwards(told, structure):
+        told = then[0]
+    there_is = scene(structure, told)
+    now = read(f"{there_is} {told[0].upper()}{told[1:]}.")
+    notes = [*now.not_understood, *now.background] if now is not None else []
+    return [n.text.strip(" ,.") for n in notes if n.span and n.span[0] > len(there_is)]
 
 
 def _near(a: Any, b: Any) -> bool:

@@ -16,7 +16,7 @@ NEAR = 0.06
 
 
 @cache
-def _words() -> frozenset[str]:
+def vocabulary_words() -> frozenset[str]:
     """The words of the vocabulary for places and parts that mean nothing else."""
     of_parts = {w for part in get_args(v.Part) for w in part.split("_")}
     whole = {p for p in (*get_args(v.Position), *get_args(v.EgoLane)) if "_" not in p}
@@ -39,7 +39,7 @@ def unsaid(plain: str, structure: Structure) -> list[str]:
     for span in spans:
         bare = f"{bare[: span.start]}{' ' * (span.end - span.start)}{bare[span.end :]}"
     said = re.findall(r"[a-z]+", re.sub(r"\bin front of\b", "ahead", bare))
-    return [*found, *(w for w in dict.fromkeys(said) if w in _words() - words)]
+    return [*found, *(w for w in dict.fromkeys(said) if w in vocabulary_words() - words)]
 
 
 def _held(specs: list[AnySpec]) -> tuple[list[tuple[float, float]], set[str]]:

@@ -42,7 +42,7 @@ class Contacts:
     """Finds the first contact of each pair that can collide."""
 
     def __init__(self, actors: list[Any], kinds: list[str]) -> None:
-        self.actors = actors
+        self.actors, self.kinds = actors, kinds
         self.pairs: list[tuple[int, int, float]] = []
         for i, one in enumerate(actors):
             for j in range(i):
@@ -51,6 +51,7 @@ class Contacts:
                     self.pairs.append((j, i, reach))
         self.pairs = [pair for pair in self.pairs if not self._touch(pair[0], pair[1])]
         self.found: list[tuple[float, int, int]] = []
+        self.touched: list[tuple[int, int, float]] = []
 
     @staticmethod
     def _can(one: str, other: str, a: Any, b: Any) -> bool:
@@ -78,12 +79,40 @@ class Contacts:
         return found
 
     def check(self, pairs: list[tuple[int, int, float]], time: float) -> None:
-        """Note the contacts among those pairs, and stop what crashed."""
+        """Note the contacts among those pairs, and what they do to both; those that touched push one another on."""
         for pair in pairs:
             if pair in self.pairs and self._touch(pair[0], pair[1]):
                 self.found.append((time, pair[0], pair[1]))
                 self.pairs.remove(pair)
+                if not {"walker", "prop"} & {self.kinds[pair[0]], self.kinds[pair[1]]}:
+                    self.touched.append(pair)
                 _crash(self.actors[pair[0]].body, self.actors[pair[1]].body)
+        for i, j, _ in self.touched:
+            if self._touch(i, j):
+                _push(self.actors[i].body, self.actors[j].body, self._axis(i, j))
+
+    def _axis(self, i: int, j: int) -> tuple[float, float]:
+        """Across which two boxes that overlap do so least: from the first to the second, of length 1."""
+        a, b = self._box(i), self._box(j)
+        dx, dy, turn = b[0] - a[0], b[1] - a[1], b[2] - a[2]
+        c, s, best = abs(math.cos(turn)), abs(math.sin(turn)), (math.inf, 1.0, 0.0)
+        for one, other in ((a, b), (b, a)):
+            sin, cos = math.sin(one[2]), math.cos(one[2])
+            for x, y, half in ((-sin, cos, one[3] + other[3] * c + other[4] * s),
+                               (cos, sin, one[4] + other[3] * s + other[4] * c)):  # fmt: skip
+                apart = x * dx + y * dy
+                sign = 1.0 if apart >= 0 else -1.0
+                best = min(best, (half / 2 - abs(apart), sign * x, sign * y))
+        return best[1], best[2]
+
+
+def _push(a: Any, b: Any, axis: tuple[float, float]) -> None:
+    """Two that have crashed do not go through one another: across where they touch, they move alike from then on."""
+    va, vb = a.velocity(), b.velocity()
+    closing = (va[0] - vb[0]) * axis[0] + (va[1] - vb[1]) * axis[1]
+    if closing > 0:
+        a.set_velocity(va[0] - closing / 2 * axis[0], va[1] - closing / 2 * axis[1])
+        b.set_velocity(vb[0] + closing / 2 * axis[0], vb[1] + closing / 2 * axis[1])
 
 
 def _crash(a: Any, b: Any) -> None:

@@ -142,9 +142,9 @@ class DryRunSimulation(DrivingSimulation):
         self.world.actors.append(actor)
         self.classes.append(kind)
         if self.contacts is not None:
-            known = set(self.contacts.found)
+            known, touched = set(self.contacts.found), self.contacts.touched
             self.contacts = Contacts(self.world.actors, self.classes)
-            self.contacts.found = sorted(known)
+            self.contacts.found, self.contacts.touched = sorted(known), touched
         return actor
 
     def _run(self, dynamicScenario: Any, maxSteps: int) -> tuple[TerminationType, str]:
@@ -245,7 +245,7 @@ class DryRunSimulation(DrivingSimulation):
         for i in range(self.substeps):
             for actor in moving:
                 actor.advance(dt)
-            if close:
+            if close or contacts.touched:
                 contacts.check(close, now + (i + 1) * dt)
         if contacts.found and self.crashed is None:
             self.crashed = contacts.found[0][0]

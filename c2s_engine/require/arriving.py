@@ -39,18 +39,32 @@ def _arriving(scene: Scene, actor: str, spec: ObjectSpec) -> Iterator[Requiremen
     after = f"{abs(least):g} s {'after' if least >= 0 else 'before'} ego"
     when = after if least or most else "together with ego"
     values = {"other": EGO, "least": least, "most": most}
+    if place.position == "on_ramp" and any(p.trigger and p.trigger.of == EGO for p in spec.phases):
+        return  # it comes onto ego's way only as ego makes room
     if place.position in BESIDE:
         if any(p.action == "cross_road" and p.abandoned for p in spec.phases):
             return  # it stays beside ego's way
         where = "ego's way" if spec.type in FOUR_WHEELED else "the middle of ego's way"
         check, text = "arrives", f"{name} is in {where} {after}'s front, were neither to react."
         del values["other"]
-    elif place.position == "oncoming_lane" and place.of != EGO:
-        check, text = "arrives_beside", f"{name} is level with {scene.named(place.of)} {when}, were neither to react."
-        values["other"] = place.of
+    elif beside := _level_with(scene, spec):
+        check, text = "arrives_beside", f"{name} is level with {scene.named(beside)} {when}, were neither to react."
+        values["other"] = beside
     else:
         check, text = "arrives_where_ways_meet", f"{name} is where their ways meet {when}, were neither to react."
     yield scene.make("conflict", check, actor, "placement.arrives", text, **values)  # type: ignore[arg-type]
+
+
+def _level_with(scene: Scene, spec: ObjectSpec) -> str | None:
+    """By whom one who comes towards ego is to be as ego is, where their own ways do not meet: by whom it is placed, or
+    to whom ego reacts."""
+    if spec.placement.position != "oncoming_lane":
+        return None
+    if spec.placement.of != EGO:
+        return spec.placement.of
+    threat = scene.objects.get(scene.ego.react_to or "")
+    apart = scene.place.kind in ("road", "straight", "curve", "crosswalk") and threat is not spec
+    return scene.ego.react_to if apart and threat is not None and not spec.phases[1:] else None
 
 
 def arrives(requirement: Requirement, evidence: Evidence) -> Result:

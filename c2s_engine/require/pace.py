@@ -129,6 +129,7 @@ def first_event(requirement: Requirement, evidence: Evidence) -> Result:
     least, most = limits["first"]["value"]
     most = max(most, float(requirement.values["timed"]) + 2.0)  # type: ignore[arg-type]
     said, moments = f"within {least:g} to {most:g} s", _moments(requirement, evidence)
+    moments = [m for m in moments if m > 0.0] or moments  # what is so from the first is no event
     if not moments:
         return unknown(requirement, said, "not reached: nothing of what is said was seen")
     return scored(requirement, min(moments[0] - least, most - moments[0]), said, f"{moments[0]:.1f} s", moments[0],

@@ -154,11 +154,14 @@ def start_side(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 def start_gap(requirement: Requirement, evidence: Evidence) -> Result:
-    fact, most, said = _fact(requirement, evidence), span(requirement)[1], words(requirement, "m")
-    if fact is None:
+    """Of a row from the nearest of its members."""
+    members, others = evidence.members(requirement.actor), evidence.members(requirement.other or EGO)
+    gaps = [fact.gap for m in members[:1] for o in others if (fact := m.starts.get(o.name)) is not None]
+    most, said = span(requirement)[1], words(requirement, "m")
+    if not gaps:
         return unknown(requirement, said, "one of the two is not there")
     room = max(bounds()["start"]["gap"]["value"], bounds()["start"]["gap_share"]["value"] * most)
-    return between(requirement, fact.gap, room, said, f"{fact.gap:.1f} m", 0.0)
+    return between(requirement, min(gaps), room, said, f"{min(gaps):.1f} m", 0.0)
 
 
 def off_lanes(requirement: Requirement, evidence: Evidence) -> Result:

@@ -3,6 +3,8 @@
 import math
 from typing import Any
 
+GRAZE, ASKEW = 3.0, 0.3
+"""m/s at which two come nearer whose sides only graze, and the sine of the angle up to which these are sides."""
 LOW = 0.3
 """m: props lower than this are driven over."""
 
@@ -84,9 +86,12 @@ class Contacts:
             if pair in self.pairs and self._touch(pair[0], pair[1]):
                 self.found.append((time, pair[0], pair[1]))
                 self.pairs.remove(pair)
-                if not {"walker", "prop"} & {self.kinds[pair[0]], self.kinds[pair[1]]}:
+                one, other = self.actors[pair[0]].body, self.actors[pair[1]].body
+                drive = not {"walker", "prop"} & {self.kinds[pair[0]], self.kinds[pair[1]]}
+                if drive:
                     self.touched.append(pair)
-                _crash(self.actors[pair[0]].body, self.actors[pair[1]].body)
+                if not drive or not _grazes(one, other, self._axis(*pair[:2])):
+                    _crash(one, other)
         for i, j, _ in self.touched:
             if self._touch(i, j):
                 _push(self.actors[i].body, self.actors[j].body, self._axis(i, j))
@@ -104,6 +109,14 @@ class Contacts:
                 sign = 1.0 if apart >= 0 else -1.0
                 best = min(best, (half / 2 - abs(apart), sign * x, sign * y))
         return best[1], best[2]
+
+
+def _grazes(a: Any, b: Any, axis: tuple[float, float]) -> bool:
+    """Whether two touch with their sides as they drive side by side or past one another: both go on."""
+    va, vb = a.velocity(), b.velocity()
+    closing = (va[0] - vb[0]) * axis[0] + (va[1] - vb[1]) * axis[1]
+    along = max(abs(-math.sin(body.heading) * axis[0] + math.cos(body.heading) * axis[1]) for body in (a, b))
+    return along < ASKEW and closing < GRAZE
 
 
 def _push(a: Any, b: Any, axis: tuple[float, float]) -> None:

@@ -8,9 +8,12 @@ from pathlib import Path
 import pytest
 import pytest_asyncio
 import yaml
+from hypothesis import settings
 
 from c2s_engine.api import Engine
 
+settings.register_profile("c2s")  # speed is measured by benchmarks
+settings.load_profile("c2s")
 KNOWN = yaml.safe_load((Path(__file__).parent / "known_failures.yaml").read_text(encoding="utf-8")) or {}
 
 

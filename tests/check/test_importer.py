@@ -47,7 +47,7 @@ def imported(text: str) -> Structure:
     return result.structure
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(
     order=st.lists(st.sampled_from(STATEMENTS), max_size=14),
     ending=st.sampled_from(["\n", "\r\n"]),

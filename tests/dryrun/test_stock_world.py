@@ -198,6 +198,30 @@ def test_lights_go_through_their_phases_and_agree(run):
     assert not any("2" in g and "7" in g for g in greens)
 
 
+def test_who_has_crashed_pushes_on_what_it_runs_into_and_does_not_go_through_it(run):
+    ahead = "new Car following lane.orientation from ego for"
+    extra = f"first = {ahead} 20\nsecond = {ahead} 26"
+    done = run(program("take SetSpeedAction(15)", extra=extra), seconds=10)
+    hit, then = done.recording.contacts[:2]
+    assert hit[1:] == (0, 1) and then[1:] == (1, 2) and then[0] > hit[0]
+    ways = done.recording.paths
+    behind = [np.hypot(a.x - b.x, a.y - b.y).min() for a, b in zip(ways, ways[1:], strict=False)]
+    assert min(behind) > 3.5, "no car within another"
+    assert moved(ways[1]) > 1 and moved(ways[2]) > 0.3
+
+
+def test_vehicles_whose_sides_only_graze_drive_on(run):
+    straight = "take SetSpeedAction(8)\nwhile True:\n    wait"
+    for degrees, stands in ((4, False), (45, True)):
+        beside = f"""
+other = new Car at ego offset by -4 @ 0, facing ego.heading - {degrees} deg, with behavior B(),
+    with blueprint 'vehicle.lincoln.mkz_2017', with regionContainedIn everywhere
+"""
+        done = run(program(straight, extra=beside), seconds=7)
+        assert done.recording.contacts, degrees
+        assert (done.recording.paths[0].speed[-1] < 2) == stands, degrees
+
+
 def test_collisions_end_the_run_when_those_in_them_stand(run):
     extra = "blocked = new Car following lane.orientation from ego for 20"
     done = run(program("take SetSpeedAction(15)", extra=extra), seconds=10)

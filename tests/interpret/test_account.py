@@ -30,7 +30,7 @@ SENTENCES = [
 ]  # fmt: skip
 
 
-@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=20, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.lists(st.sampled_from(SENTENCES) | st.text(max_size=12), min_size=1, max_size=4))
 def test_nothing_of_any_text_is_outside_the_account(pieces: list[str]) -> None:
     text = " ".join(pieces)

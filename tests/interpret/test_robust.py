@@ -61,21 +61,21 @@ def check(text: str) -> None:
             assert span is None or 0 <= span[0] < span[1] <= len(text)
 
 
-@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=40, suppress_health_check=[HealthCheck.too_slow])
 @given(st.lists(WORDS, max_size=45).map(" ".join))
 def test_word_salads_never_defeat_the_interpreter(text: str) -> None:
     check(text)
 
 
 @pytest.mark.full
-@settings(max_examples=400, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=400, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
 @example("a crosses van a")
 @given(st.one_of(st.lists(WORDS, max_size=90).map(" ".join), st.text(max_size=400)))
 def test_many_word_salads_never_defeat_the_interpreter(text: str) -> None:
     check(text)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.lists(WORDS, max_size=40).map(" ".join))
 def test_places_in_the_mended_text_lead_back_in_order(text: str) -> None:
     mended = Mended(text)

@@ -55,7 +55,7 @@ PIECES = [
 ]
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(st.lists(st.sampled_from(PIECES), min_size=2, max_size=18))
 @example(["hits it", "turning left", "hits it", "turning left", "a van ahead of ego", "and", "V2"])
 @example(["turning left", "parked", "V2", "V2", "ahead", "parked", ".", "it"])

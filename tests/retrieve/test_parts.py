@@ -35,7 +35,7 @@ from c2s_engine.structure.specs import (
 WORDS = st.lists(st.sampled_from("abcdefgh"), min_size=1, max_size=12)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.lists(WORDS, min_size=2, max_size=20), WORDS)
 def test_scores_are_those_of_rank_bm25(documents, query):
     reference = np.array(BM25Okapi(documents).get_scores(query))
@@ -93,7 +93,7 @@ def test_chunks_keep_their_headings_clause_and_tables():
     assert max(len(c.text) for c in found) <= 1200
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.text(max_size=500))
 def test_any_text_is_chunked_without_loss_of_words(text):
     found = blocks.chunks([blocks.Block("paragraph", text)], "t", target=60)

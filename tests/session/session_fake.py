@@ -59,7 +59,7 @@ def run_machine(machine: type[RuleBasedStateMachine], examples: int, steps: int)
     run_state_machine_as_test(
         machine,
         settings=settings(
-            max_examples=examples, stateful_step_count=steps, deadline=None, database=None, derandomize=True,
+            max_examples=examples, stateful_step_count=steps, database=None, derandomize=True,
             suppress_health_check=list(HealthCheck),
         ),
     )  # fmt: skip

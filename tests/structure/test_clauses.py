@@ -1,6 +1,6 @@
 """The account of a text: every character of it lies in one clause, and what nobody took up is said to be lost."""
 
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from c2s_engine.structure.account import account, covering
@@ -15,7 +15,6 @@ PIECES = st.lists(
 SPANS = st.lists(st.tuples(st.integers(-5, 80), st.integers(-5, 120)), max_size=8)
 
 
-@settings(deadline=None)
 @given(PIECES, SPANS)
 def test_every_character_lies_in_one_clause(pieces: list[str], spans: list[tuple[int, int]]) -> None:
     text = "".join(pieces)

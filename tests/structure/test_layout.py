@@ -98,7 +98,7 @@ def by_hand(draw, text: str) -> str:
     return "\n".join(lines)
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(st.data())
 def test_what_is_edited_by_hand_is_there_byte_for_byte(data):
     structure = written()
@@ -111,7 +111,7 @@ def test_what_is_edited_by_hand_is_there_byte_for_byte(data):
 
 
 @pytest.mark.full
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(st.data())
 def test_a_turn_changes_its_components_span_and_nothing_else(data):
     structure = written()

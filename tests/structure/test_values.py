@@ -1,7 +1,7 @@
 """The pure parts: typed values, fragments under edit, marks, clipboard, preferences, commands."""
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scripted_engine import Writer, cut_in, run_facts, trajectories
 from textual.widgets import Input, TextArea
@@ -68,7 +68,6 @@ def test_every_spec_can_be_shown():
         assert {f.path.split(".")[0] for f in fields(spec())} == set(spec.model_fields) - {"component"}
 
 
-@settings(deadline=None)
 @given(st.data())
 def test_fragments_keep_their_borders_under_any_edit_inside_one(data):
     span = data.draw(st.sampled_from(PROGRAM.spans))
@@ -135,7 +134,6 @@ def test_highlighting_is_scenics_own_and_imports_no_scenic():
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.strip() == "[]"
 
 
-@settings(deadline=None)
 @given(st.text("ab'\"#:\n é", max_size=60))
 def test_highlights_lie_within_their_lines(text):
     lines = text.split("\n")
@@ -149,7 +147,6 @@ PIECES = st.sampled_from(
 )
 
 
-@settings(deadline=None)
 @given(st.lists(PIECES, max_size=14), st.data())
 def test_what_is_not_stale_looks_as_before(lines, data):
     first = data.draw(st.integers(0, len(lines)))

@@ -44,7 +44,7 @@ def an_edit(structure: Structure, seed: int):
 
 
 @pytest.mark.full
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(seed=st.integers(0, 10_000), edits=st.lists(st.integers(0, 10_000), min_size=1, max_size=6))
 def test_incremental_equals_anew(writer, seed, edits):
     try:

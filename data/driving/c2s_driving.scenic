@@ -522,7 +522,8 @@ behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
     while True:
         while i < last - 1 and (distance from self to points[i + 2]) <= (distance from self to points[i]):
             i += 1
-        goal = min(speed() if callable(speed) else speed, bend_speed(points, i), math.sqrt(12 * max(last - i - 4, 0)))
+        goal = behind_those(self, points, speed() if callable(speed) else speed)
+        goal = min(goal, bend_speed(points, i), math.sqrt(12 * max(last - i - 4, 0)))
         gained = max(SIDEWAYS, 2 * shift - 2) * simulation().timestep
         wanted = offset() if callable(offset) else offset
         aside += max(-gained, min(gained, max(-shift, min(shift, max(1.2, 0.6 * shift) * (wanted - beside))) - aside))
@@ -574,11 +575,14 @@ def _gone_by(car, walkers):
 
 behavior BrakeFor(points, threats, least=1, release=0, stands=None):
     """Brake for one, several, or those that a function gives: a little harder than it takes, with `least` m/s2 or more at
-    first, until it takes no more than `release`; with `stands` to a stand, and until it takes no more than that."""
+    first, until it takes no more than `release`; with `stands` to a stand, and until it takes no more than that. From then
+    on it keeps behind those that drive ahead of it."""
     enough, slow = (release, math.inf) if stands is None else (stands, 0.2)
     eased = 0.6 * self.speed
-    rate = lambda: max(least if self.speed > eased else min(least, 1), min(9, 1.1 * _force(self, threats)))
+    hardest = lambda: 9 if self.speed > 2 else 4
+    rate = lambda: max(least if self.speed > eased else min(least, 1), min(hardest(), 1.1 * _force(self, threats)))
     do Drive(points, 0, rate=rate) until self.speed < slow and _force(self, threats) <= enough
+    self.braked_for = threats
 
 behavior EmergencyStop(points, threats, rate=8):
     """Brake with all that the road holds (m/s2) to a stand, from `REACTION_TIME` on, and stay there while they are in
@@ -1004,6 +1008,17 @@ def pace(car, lead, speed, headway=1.5, standing=4, points=None):
     gap = (distance from car to lead) - (car.length + lead.length) / 2
     wanted = min(speed, lead.speed + max(-FALLS_BACK, 0.4 * (gap - standing - headway * lead.speed)))
     return wanted if wanted > 0.6 or lead.speed > 0.3 and wanted > 0 else 0
+
+def behind_those(car, points, speed):
+    """The speed (m/s), at most `speed`, at which `car` goes on along its points behind those that it has braked for and
+    that drive ahead of it there."""
+    if clock() <= 0:
+        car.braked_for = []
+    for other in _those(getattr(car, 'braked_for', [])):
+        beside = along_line(points, other.position)[1] - (car.width + other.width) / 2
+        if beside < 0.8 and math.cos(other.heading - car.heading) > 0.7:
+            speed = min(speed, pace(car, other, speed, headway=1))
+    return speed
 
 def up_to(rest, speed, rate=2.5):
     """The speed (m/s), at most `speed`, at which one comes to a stand after the rest (m) of its way, braking at `rate`

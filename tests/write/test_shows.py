@@ -8,6 +8,7 @@ import yaml
 
 from c2s_engine.structure.components import Component
 from c2s_engine.structure.facts import ObjectFacts
+from c2s_engine.structure.progress import RunDone
 from c2s_engine.structure.specs import RestrictionsSpec, SettingsSpec
 from tests.write.test_golden import structure
 
@@ -82,3 +83,23 @@ async def test_one_whom_a_row_hides_comes_out_between_its_last_two(engine, side,
     assert (own > last + things["row[2]"].length - 0.3) != between
     assert "row[1]" in things["child"].hidden_behind and things["child"].shows("cross_road")
     assert not done.facts[0].contacts
+
+
+@pytest.mark.parametrize("lead", [{"type": "car", "speed": 8.0}, {"type": "bicycle", "speed": 4.5}])
+async def test_who_has_braked_for_somebody_keeps_behind_that_one_and_does_not_surge(engine, lead):
+    case = {
+        "R": {"kind": "straight"}, "E": {"speed": 14.0, "reaction": "brake", "react_to": "O1"},
+        "O": [{"name": "lead", "placement": {"position": "ahead", "gap": 25}, **lead}],
+        "T": {"duration": 20},
+    }  # fmt: skip
+    made = structure(case).with_component(Component(id="T", spec=RestrictionsSpec.model_validate(case["T"])))
+    ways = []
+    async for event in engine.realise(made, seed=0, trajectories=True):
+        ways += [event.trajectories] if isinstance(event, RunDone) else []
+    speeds = next(t.speed for t in ways[-1].tracks if t.name == "ego")
+    lowest = speeds.index(min(speeds))
+    assert min(speeds) <= lead["speed"] + 0.5, "it braked"
+    later = speeds[lowest:]
+    falls = [max(later[: i + 1]) - v for i, v in enumerate(later)]
+    assert max(falls) < 0.6, "no braking again for who drives on as before"
+    assert speeds[-1] == pytest.approx(lead["speed"], abs=1.0) and not event.facts[0].contacts

@@ -12,7 +12,7 @@ from hypothesis import settings
 
 from c2s_engine.api import Engine
 
-settings.register_profile("c2s")  # speed is measured by benchmarks
+settings.register_profile("c2s", deadline=None)  # speed is measured by benchmarks
 settings.load_profile("c2s")
 KNOWN = yaml.safe_load((Path(__file__).parent / "known_failures.yaml").read_text(encoding="utf-8")) or {}
 

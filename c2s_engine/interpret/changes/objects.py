@@ -37,6 +37,8 @@ def remove(clause: str, structure: Structure) -> Found | None:
     coming = [c for c in structure.objects if spec_of(c).placement.position in ("oncoming_lane", "opposite_approach")]
     if coming and re.match(r"oncoming (?:traffic|vehicles|cars)$", rest):
         return gone(coming, structure), "no oncoming traffic"
+    if match[0].startswith(("stop ", "please stop ")) or _tells_more(rest):
+        return None
     names = [n for n in re.split(r",? and |, | or ", rest) if n]
     found = [refer(name, structure, alone=len(names) == 1) for name in names]
     several = [c for c in found if c is not None and c.id != "E"]
@@ -48,6 +50,22 @@ def remove(clause: str, structure: Structure) -> Found | None:
     if (some := _some_of(rest, component)) is not None:
         return some
     return gone([component], structure), f"{name_of(component)} removed"
+
+
+def _tells_more(rest: str) -> bool:
+    """Whether what stands where one is named who is to go tells what he does or when: "no, after stopping the kid runs
+    back" takes nobody away."""
+    first = next((s for s in scan.names(rest) if s.kind in ("actor", "label")), None)
+    if first is None:
+        return False
+    return bool(_MOMENT.search(rest[: first.start]) or _PREDICATE.match(rest[first.end :]))
+
+
+_MOMENT = re.compile(r"\b(?:after|before|when|while|once|until|if|as soon as)\b")
+_PREDICATE = re.compile(
+    r" (?:should|shall|must|will|can|may|has to|does|do|is|are|was|were)\b|"
+    r" (?!(?:as|its|his|this|across|towards|besides|always)\b)[a-z]{2,}(?<![su])s\b(?! (?:and|or)\b|$)"
+)
 
 
 def _some_of(who: str, component: Component) -> Found | None:

@@ -4,7 +4,7 @@ import re
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes import limits, notes, order
+from c2s_engine.interpret.changes import limits, notes, order, pointed
 from c2s_engine.interpret.changes.all_of_them import each_of_all
 from c2s_engine.interpret.changes.claims import Left, unmet
 from c2s_engine.interpret.changes.demands import apart, demands, topic_of, whole
@@ -62,6 +62,8 @@ def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edi
                 unread_parts += [demand] if _tells(demand, current) else []
                 continue
             found, lost = read
+            if nobody := pointed.stranger(demand, found[0], current):
+                found, lost = ([], pointed.absent(nobody, current)), Left()
             unclear += [*lost.needed, *lost.besides]
             if lost.needed or lost.besides and not found[0]:
                 continue

@@ -49,7 +49,7 @@ def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edi
         while parts and (both := _in_a_row(demand, parts[0], current)):
             demand = both
             parts.pop(0)
-        demand = _other_one(demand, current)
+        demand = _of_the_topic(_other_one(demand, current), topic)
         before, topic = demand, topic_of(demand, current) or topic
         hidden = unshown(demand)
         try:
@@ -215,6 +215,22 @@ def _other_one(demand: str, structure: Structure) -> str:
         return demand
     cid = structure.objects[0].id.lower()
     return re.sub(r"\b(from|of|before|behind|for|with|past|to) (?:it|him|her|them)$", rf"\g<1> {cid}", demand)
+
+
+def _of_the_topic(demand: str, topic: str | None) -> str:
+    """A demand for another pace that names nobody, of whom the sentence speaks: "make the child a woman, half as
+    fast"."""
+    named = any(s.kind in ("actor", "ego", "label") for s in scan.names(demand))
+    if not topic or named or re.search(r"\bo[1-9]\b", demand) or not re.match(_PACE, demand):
+        return demand
+    return f"{'ego' if topic == 'E' else topic.lower()} is {demand}"
+
+
+_PACE = (
+    r"(?:(?:and|but|just|only|much|a (?:bit|little)|slightly|about|\d[\d.]* ?(?:km/?h|kph|mph|m/s|%|percent)) )*"
+    r"(?:half|twice|double|three times|slower|faster|quicker)\b"
+    r"(?: as (?:fast|quick|slow)(?:ly)?| (?:the|its|his|her) (?:speed|pace)| speed| now| too)*$"
+)
 
 
 def _tells(demand: str, structure: Structure) -> bool:

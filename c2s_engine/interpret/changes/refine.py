@@ -10,6 +10,7 @@ from c2s_engine.interpret.changes.claims import Left, unmet
 from c2s_engine.interpret.changes.demands import apart, demands, topic_of, whole
 from c2s_engine.interpret.changes.forms import ALREADY
 from c2s_engine.interpret.changes.meant import by_labels
+from c2s_engine.interpret.changes.motion import begun_by
 from c2s_engine.interpret.changes.refer import actions_of, doing, refer
 from c2s_engine.interpret.changes.speed import walked
 from c2s_engine.interpret.changes.still import still_done
@@ -133,11 +134,17 @@ def _applied(found: Found, structure: Structure) -> Structure:
 
 
 def _in_a_row(first: str, then: str, structure: Structure) -> str | None:
-    """Two demands as one where the second only tells what the same one does then: "waits 2 s" and "then crosses"."""
+    """Two demands as one where the second only tells what the same one does then: "waits 2 s" and "then crosses"; or
+    only when he does what the first says: "ego brakes later" and "only 1.5 s after the lead brakes"."""
+    if re.match(_ONLY_WHEN, then) and (both := f"{first} {then}") and begun_by(both, structure):
+        return both
     if not re.match(language.table("refine")["demands"]["goes_on"], then):
         return None
     both = f"{first}, {then}"
     return both if order.acting(first, structure) else None
+
+
+_ONLY_WHEN = r"(?:(?:but|and|just|only) )*(?:\d[\d.]* ?(?:s|secs?|seconds?) )?(?:after|when|once|as soon as)\b"
 
 
 def _found(demand: str, structure: Structure) -> tuple[Found, Left] | None:

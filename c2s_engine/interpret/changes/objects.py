@@ -118,6 +118,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
         if re.search(r"\b(?:driver|rider|passenger)\b", who):
             return [], f"“{clause}”: who drives is no part of S"
         alike = who in ("", "it", "that", "this", "one", "just one", "only one", "a single one")
+        rest = _behind(clause[named[0].end : match.end("what")], match.groupdict().get("rest"))
         component = _akin(kind, structure) if alike else refer(who.split(" and ")[0] if plural else who, structure)
         if component is None:
             return None
@@ -128,7 +129,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
                 SetField(component="E", path="type", value=kind),
                 SetField(component="E", path="model", value=None),
             ]
-            more, said = _rest(match.groupdict().get("rest"), "ego", typed, structure)
+            more, said = _rest(rest, "ego", typed, structure)
             return [*typed, *more], "; ".join([f"ego is a {kind.replace('_', ' ')}", *said])
         edits: list[Edit] = [SetSpec(component=component.id, spec=_typed(spec_of(component), kind))]
         count = count_of(match["what"], spec_of(component).count) if plural else 1
@@ -145,9 +146,15 @@ def retype(clause: str, structure: Structure) -> Found | None:
                 SetField(component=component.id, path="speed", value=0.0),
                 SetField(component=component.id, path="phases", value=(Phase(action="stationary"),)),
             ]
-        more, said = _rest(match.groupdict().get("rest"), component.id.lower(), edits, structure)
+        more, said = _rest(rest, component.id.lower(), edits, structure)
         return [*edits, *more], "; ".join([f"{component.id} is now {what}", *said])
     return None
+
+
+def _behind(what: str, rest: str | None) -> str | None:
+    """What is said of the new one behind its noun: "a pallet 200 m ahead in the left lane"."""
+    place = re.match(r" (?:\d[\d.]* ?(?:m|metres|meters)\b|(?:on|in|at|behind|beside|ahead of) ).*", what)
+    return f"{place[0].strip()}{rest or ''}" if place else rest
 
 
 def _besides(who: str, component: Component, structure: Structure) -> Component | None:
@@ -167,7 +174,7 @@ def _rest(rest: str | None, who: str, edits: list[Edit], structure: Structure) -
         structure = apply(structure, edit)
     table = language.table("refine")
     rest = re.sub(table["with_it"], "", rest.strip(" ,"))
-    verb = "is " if re.match(r"\w+ing\b", rest) else "comes " if rest.startswith("from") else ""
+    verb = "is " if re.match(r"\w+ing\b|\d[\d.]* ?m", rest) else "comes " if rest.startswith("from") else ""
     return edits_of(f"{who} {verb}{re.sub(r'^(?:that|which|who) ', '', rest)}", structure) if rest else ([], [])
 
 
@@ -187,7 +194,8 @@ def _typed(spec: ObjectSpec, kind: str) -> ObjectSpec:
     walks = kind in ("pedestrian", "child", "animal")
     walked = spec.type in ("pedestrian", "child", "animal")
     update: dict[str, Any] = {"type": kind, "model": None}
-    if spec.name == spec.type or spec.name in language.actor_nouns():
+    thing = spec.type not in VEHICLES and spec.name.replace("_", " ") in language.actor_nouns()
+    if thing or spec.name == spec.type or spec.name in language.actor_nouns():
         update["name"] = kind
     if walks != walked:
         turned = (

@@ -65,6 +65,8 @@ def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edi
             found, lost = read
             if nobody := pointed.stranger(demand, found[0], current):
                 found, lost = ([], pointed.absent(nobody, current)), Left()
+            if re.match(_REPLACES, demand) and found[0] and all(isinstance(e, AddObject) for e in found[0]):
+                found, lost = ([], "it is not clear who is to be replaced"), Left()
             unclear += [*lost.needed, *lost.besides]
             if lost.needed or lost.besides and not found[0]:
                 continue
@@ -144,6 +146,7 @@ def _in_a_row(first: str, then: str, structure: Structure) -> str | None:
     return both if order.acting(first, structure) else None
 
 
+_REPLACES = r"(?:replace|swap|exchange|substitute)\b"
 _ONLY_WHEN = r"(?:(?:but|and|just|only) )*(?:\d[\d.]* ?(?:s|secs?|seconds?) )?(?:after|when|once|as soon as)\b"
 
 

@@ -38,6 +38,7 @@ def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edi
     done: list[tuple[str, Structure, Structure]] = []
     before, topic = "", _doer(text, structure) or topic_of(text, structure)
     parts = [d for part in limits.in_order(demands(text)) for own in apart(part) for d in each_of_all(own, structure)]
+    parts = [p for p in parts if p != "no"]
     if len(parts) > 1 and not order.retype(parts[0], structure):
         of_new = _of_the_new(parts, structure)
         if len(of_new) > 1 and (new := introduced(of_new, structure)):
@@ -138,12 +139,25 @@ def _applied(found: Found, structure: Structure) -> Structure:
 def _in_a_row(first: str, then: str, structure: Structure) -> str | None:
     """Two demands as one where the second only tells what the same one does then: "waits 2 s" and "then crosses"; or
     only when he does what the first says: "ego brakes later" and "only 1.5 s after the lead brakes"."""
+    if valued := _of_the_value(first, then):
+        return valued
     if re.match(_ONLY_WHEN, then) and (both := f"{first} {then}") and begun_by(both, structure):
         return both
     if not re.match(language.table("refine")["demands"]["goes_on"], then):
         return None
     both = f"{first}, {then}"
     return both if order.acting(first, structure) else None
+
+
+def _of_the_value(first: str, then: str) -> str | None:
+    """A demand with another value, where the next one only says it: "with a gap of 12 m" and "make that 20 m"."""
+    if not (made := re.match(r"(?:no )?(?:make|set) (?:that|it) (?:to )?(?P<value>\d.*)$", then)):
+        return None
+    new, olds = amounts.quantities(made["value"]), amounts.quantities(first)
+    alike = [s for s in olds if new and s.data["dimension"] == new[0].data["dimension"]]
+    if len(alike) != 1 or new[0].end != len(made["value"]):
+        return None
+    return f"{first[: alike[0].start]}{made['value']}{first[alike[0].end :]}"
 
 
 _REPLACES = r"(?:replace|swap|exchange|substitute)\b"

@@ -9,7 +9,7 @@ from c2s_engine.interpret.changes import asked, notes, pointed, put, refine, ret
 from c2s_engine.interpret.changes.corrected import Last, after, corrected, differences, of_the_same
 from c2s_engine.interpret.changes.forms import ALREADY
 from c2s_engine.interpret.changes.kept import removed
-from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.interpret.changes.refer import refer
 from c2s_engine.interpret.changes.unsaid import unsaid
 from c2s_engine.interpret.embedded import NOT_ENGLISH, faults
 from c2s_engine.interpret.entities import MOVERS
@@ -83,7 +83,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
     if _anew(plain):
         return Turn("scenario", span=whole)
     if structure is not None and structure.objects and (nobody := pointed.missing(plain, structure)):
-        return Turn("edit", reply=_not_understood(typed, _absent(nobody, structure)), span=whole)
+        return Turn("edit", reply=_not_understood(typed, pointed.absent(nobody, structure)), span=whole)
     before = plain
     plain = put.plainly(plain, structure) if structure is not None else plain
     if structure is not None and (edits_said := _wished(plain, structure)):
@@ -106,7 +106,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
     edits, said = refine.edits_of(demanded, structure, before)
     stranger = pointed.nobody(demanded, structure)
     if stranger and edits and not any(isinstance(e, AddObject) for e in edits):
-        return Turn("edit", reply=_not_understood(typed, _absent(stranger, structure)), span=whole)
+        return Turn("edit", reply=_not_understood(typed, pointed.absent(stranger, structure)), span=whole)
     already = bool(said) and all(s.startswith(ALREADY) for s in said)
     if (already or edits and _same_specs(structure, after(structure, edits))) and (lost := unsaid(plain, structure)):
         why = f"it is not clear what {' and '.join(f'“{words}”' for words in lost)} changes"
@@ -123,7 +123,8 @@ def _route(text: str, structure: Structure | None) -> Turn:
     short = len(plain.split()) < 9 and not re.search(r"[.;] \w", plain)
     told_of_here = not _of_strangers(plain, structure) or _of_those_there(plain, structure)
     if commanding or short or not another or told_of_here:
-        return Turn("edit", reply=_not_understood(typed, _absent(stranger, structure) if stranger else ""), span=whole)
+        why = pointed.absent(stranger, structure) if stranger else ""
+        return Turn("edit", reply=_not_understood(typed, why), span=whole)
     return Turn("scenario", span=whole)
 
 
@@ -155,12 +156,6 @@ def _not_understood(text: str, why: str = "") -> str:
     """The answer to a change that is not understood, or that cannot be made, with what would do."""
     how = why or "name in English what is to change and how, such as “make the lead a truck”"
     return f"I did not understand “{text.strip()[:80]}” as a change{' that can be made' if why else ''}: {how}."
-
-
-def _absent(who: str, structure: Structure) -> str:
-    """That somebody is not there, and who is."""
-    there = [f"{c.id} ({spec_of(c).name})" for c in structure.objects]
-    return f"there is no {who}; there {'is' if len(there) == 1 else 'are'} {', '.join(there) or 'no others than ego'}"
 
 
 def _anew(plain: str) -> bool:

@@ -41,7 +41,16 @@ def called(plain: str, structure: Structure) -> str:
         if len(name) > 3 and not scan.names(name):
             said = rf"\b(?:the )?{re.escape(name)}(?![\w-])"
             plain = re.sub(said, lambda m, c=component: _noun_or(m, c, structure), plain)  # type: ignore[misc]
+        head = name.rpartition(" ")[2]
+        if head != name and len(head) > 3 and not scan.names(head) and len(_headed(head, structure)) == 1:
+            said = rf"\bthe {re.escape(head)}(?![\w-])"
+            plain = re.sub(said, lambda m, c=component: _noun_or(m, c, structure), plain)  # type: ignore[misc]
     return described(plain, structure)
+
+
+def _headed(noun: str, structure: Structure) -> list[Component]:
+    """Those whose names end in a noun: "tyre" of a blown tyre."""
+    return [c for c in structure.objects if spec_of(c).name.rpartition("_")[2] == noun]
 
 
 def _noun_or(match: re.Match[str], component: Component, structure: Structure) -> str:

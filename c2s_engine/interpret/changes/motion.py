@@ -5,7 +5,9 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.forms import Found, base_of, from_to, name_of, quantity_of, value_of
-from c2s_engine.interpret.changes.refer import refer, spec_of
+from c2s_engine.interpret.changes.in_words import in_words
+from c2s_engine.interpret.changes.phases import afterwards, awaited
+from c2s_engine.interpret.changes.refer import doing, refer, spec_of, told_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.interpret.what.towards import OPPOSITE
@@ -205,3 +207,33 @@ def rate(clause: str, structure: Structure) -> Found | None:
 
 def _phases(component: Component) -> tuple[Phase, ...]:
     return component.spec.phases if isinstance(component.spec, EgoSpec | ObjectSpec) else ()
+
+
+def begun_by(clause: str, structure: Structure) -> Found | None:
+    """ "Ego brakes when the BMW cuts in": what somebody does for his pace begins when another does what S says."""
+    if re.search(_table()["told"]["denies"], clause) or quantity_of(clause, "distance") or quantity_of(clause, "speed"):
+        return None
+    waited = awaited(clause, structure)
+    if waited is None or waited.kind != "action" or waited.action is None:
+        return None
+    then = afterwards(clause, structure)
+    main = then[0] if then else " ".join(re.sub(_table()["told"]["meanwhile"], " ", clause).split())
+    moment = clause.replace(main, " ")
+    who = refer(main, structure, alone=False)
+    other = structure["E" if waited.of == "ego" or not waited.of else waited.of]
+    if who is None or who.id == other.id or not doing(moment, (waited.action,)):
+        return None
+    if waited.action not in {p.action for p in _phases(other)}:
+        return None
+    act = next((a for a in told_of(main) if a in ("brake", "stop", "accelerate")), None)
+    if act is None:
+        return None
+    hard = float(language.table("defaults")["rates"]["hard"]["value"]) if re.search(r"\bhard\b", main) else None
+    phases = list(_phases(who))
+    at = next((i for i, p in enumerate(phases) if p.action == act), None)
+    if at is None:
+        phases.append(Phase(action=act, trigger=waited, rate=hard))
+    else:
+        phases[at] = phases[at].model_copy(update={"trigger": waited, **({"rate": hard} if hard else {})})
+    edits: list[Edit] = [SetField(component=who.id, path="phases", value=tuple(phases))]
+    return edits, in_words(edits, structure)

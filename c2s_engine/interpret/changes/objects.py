@@ -37,6 +37,8 @@ def remove(clause: str, structure: Structure) -> Found | None:
     coming = [c for c in structure.objects if spec_of(c).placement.position in ("oncoming_lane", "opposite_approach")]
     if coming and re.match(r"oncoming (?:traffic|vehicles|cars)$", rest):
         return gone(coming, structure), "no oncoming traffic"
+    if match[0].startswith(("stop ", "please stop ")) or _tells_more(rest):
+        return None
     names = [n for n in re.split(r",? and |, | or ", rest) if n]
     found = [refer(name, structure, alone=len(names) == 1) for name in names]
     several = [c for c in found if c is not None and c.id != "E"]
@@ -48,6 +50,22 @@ def remove(clause: str, structure: Structure) -> Found | None:
     if (some := _some_of(rest, component)) is not None:
         return some
     return gone([component], structure), f"{name_of(component)} removed"
+
+
+def _tells_more(rest: str) -> bool:
+    """Whether what stands where one is named who is to go tells what he does or when: "no, after stopping the kid runs
+    back" takes nobody away."""
+    first = next((s for s in scan.names(rest) if s.kind in ("actor", "label")), None)
+    if first is None:
+        return False
+    return bool(_MOMENT.search(rest[: first.start]) or _PREDICATE.match(rest[first.end :]))
+
+
+_MOMENT = re.compile(r"\b(?:after|before|when|while|once|until|if|as soon as)\b")
+_PREDICATE = re.compile(
+    r" (?:should|shall|must|will|can|may|has to|does|do|is|are|was|were)\b|"
+    r" (?!(?:as|its|his|this|across|towards|besides|always)\b)[a-z]{2,}(?<![su])s\b(?! (?:and|or)\b|$)"
+)
 
 
 def _some_of(who: str, component: Component) -> Found | None:
@@ -100,6 +118,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
         if re.search(r"\b(?:driver|rider|passenger)\b", who):
             return [], f"“{clause}”: who drives is no part of S"
         alike = who in ("", "it", "that", "this", "one", "just one", "only one", "a single one")
+        rest = _behind(clause[named[0].end : match.end("what")], match.groupdict().get("rest"))
         component = _akin(kind, structure) if alike else refer(who.split(" and ")[0] if plural else who, structure)
         if component is None:
             return None
@@ -110,7 +129,7 @@ def retype(clause: str, structure: Structure) -> Found | None:
                 SetField(component="E", path="type", value=kind),
                 SetField(component="E", path="model", value=None),
             ]
-            more, said = _rest(match.groupdict().get("rest"), "ego", typed, structure)
+            more, said = _rest(rest, "ego", typed, structure)
             return [*typed, *more], "; ".join([f"ego is a {kind.replace('_', ' ')}", *said])
         edits: list[Edit] = [SetSpec(component=component.id, spec=_typed(spec_of(component), kind))]
         count = count_of(match["what"], spec_of(component).count) if plural else 1
@@ -127,9 +146,15 @@ def retype(clause: str, structure: Structure) -> Found | None:
                 SetField(component=component.id, path="speed", value=0.0),
                 SetField(component=component.id, path="phases", value=(Phase(action="stationary"),)),
             ]
-        more, said = _rest(match.groupdict().get("rest"), component.id.lower(), edits, structure)
+        more, said = _rest(rest, component.id.lower(), edits, structure)
         return [*edits, *more], "; ".join([f"{component.id} is now {what}", *said])
     return None
+
+
+def _behind(what: str, rest: str | None) -> str | None:
+    """What is said of the new one behind its noun: "a pallet 200 m ahead in the left lane"."""
+    place = re.match(r" (?:\d[\d.]* ?(?:m|metres|meters)\b|(?:on|in|at|behind|beside|ahead of) ).*", what)
+    return f"{place[0].strip()}{rest or ''}" if place else rest
 
 
 def _besides(who: str, component: Component, structure: Structure) -> Component | None:
@@ -149,7 +174,7 @@ def _rest(rest: str | None, who: str, edits: list[Edit], structure: Structure) -
         structure = apply(structure, edit)
     table = language.table("refine")
     rest = re.sub(table["with_it"], "", rest.strip(" ,"))
-    verb = "is " if re.match(r"\w+ing\b", rest) else "comes " if rest.startswith("from") else ""
+    verb = "is " if re.match(r"\w+ing\b|\d[\d.]* ?m", rest) else "comes " if rest.startswith("from") else ""
     return edits_of(f"{who} {verb}{re.sub(r'^(?:that|which|who) ', '', rest)}", structure) if rest else ([], [])
 
 
@@ -169,7 +194,8 @@ def _typed(spec: ObjectSpec, kind: str) -> ObjectSpec:
     walks = kind in ("pedestrian", "child", "animal")
     walked = spec.type in ("pedestrian", "child", "animal")
     update: dict[str, Any] = {"type": kind, "model": None}
-    if spec.name == spec.type or spec.name in language.actor_nouns():
+    thing = spec.type not in VEHICLES and spec.name.replace("_", " ") in language.actor_nouns()
+    if thing or spec.name == spec.type or spec.name in language.actor_nouns():
         update["name"] = kind
     if walks != walked:
         turned = (

@@ -7,7 +7,7 @@ from c2s_engine.interpret.changes.bounds import allowed, bound, bounded, contact
 from c2s_engine.interpret.changes.forms import Form
 from c2s_engine.interpret.changes.how_many import count
 from c2s_engine.interpret.changes.looks import blueprint
-from c2s_engine.interpret.changes.motion import distance, rate, reaction, sides
+from c2s_engine.interpret.changes.motion import begun_by, distance, rate, reaction, sides
 from c2s_engine.interpret.changes.objects import remove, retype
 from c2s_engine.interpret.changes.roadsides import roadside
 from c2s_engine.interpret.changes.scene import ending, length, own_lane, road, setting
@@ -48,5 +48,6 @@ FORMS: tuple[Form, ...] = (
     standing,
     walked,
     sides,
+    begun_by,
     reaction,
 )

@@ -4,12 +4,13 @@ import re
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes import limits, notes, order
+from c2s_engine.interpret.changes import limits, notes, order, pointed
 from c2s_engine.interpret.changes.all_of_them import each_of_all
 from c2s_engine.interpret.changes.claims import Left, unmet
 from c2s_engine.interpret.changes.demands import apart, demands, topic_of, whole
 from c2s_engine.interpret.changes.forms import ALREADY
 from c2s_engine.interpret.changes.meant import by_labels
+from c2s_engine.interpret.changes.motion import begun_by
 from c2s_engine.interpret.changes.refer import actions_of, doing, refer
 from c2s_engine.interpret.changes.speed import walked
 from c2s_engine.interpret.changes.still import still_done
@@ -37,6 +38,7 @@ def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edi
     done: list[tuple[str, Structure, Structure]] = []
     before, topic = "", _doer(text, structure) or topic_of(text, structure)
     parts = [d for part in limits.in_order(demands(text)) for own in apart(part) for d in each_of_all(own, structure)]
+    parts = [p for p in parts if p != "no"]
     if len(parts) > 1 and not order.retype(parts[0], structure):
         of_new = _of_the_new(parts, structure)
         if len(of_new) > 1 and (new := introduced(of_new, structure)):
@@ -49,7 +51,7 @@ def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edi
         while parts and (both := _in_a_row(demand, parts[0], current)):
             demand = both
             parts.pop(0)
-        demand = _other_one(demand, current)
+        demand = _of_the_topic(_other_one(demand, current), topic)
         before, topic = demand, topic_of(demand, current) or topic
         hidden = unshown(demand)
         try:
@@ -62,6 +64,10 @@ def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edi
                 unread_parts += [demand] if _tells(demand, current) else []
                 continue
             found, lost = read
+            if nobody := pointed.stranger(demand, found[0], current):
+                found, lost = ([], pointed.absent(nobody, current)), Left()
+            if re.match(_REPLACES, demand) and found[0] and all(isinstance(e, AddObject) for e in found[0]):
+                found, lost = ([], "it is not clear who is to be replaced"), Left()
             unclear += [*lost.needed, *lost.besides]
             if lost.needed or lost.besides and not found[0]:
                 continue
@@ -131,11 +137,31 @@ def _applied(found: Found, structure: Structure) -> Structure:
 
 
 def _in_a_row(first: str, then: str, structure: Structure) -> str | None:
-    """Two demands as one where the second only tells what the same one does then: "waits 2 s" and "then crosses"."""
+    """Two demands as one where the second only tells what the same one does then: "waits 2 s" and "then crosses"; or
+    only when he does what the first says: "ego brakes later" and "only 1.5 s after the lead brakes"."""
+    if valued := _of_the_value(first, then):
+        return valued
+    if re.match(_ONLY_WHEN, then) and (both := f"{first} {then}") and begun_by(both, structure):
+        return both
     if not re.match(language.table("refine")["demands"]["goes_on"], then):
         return None
     both = f"{first}, {then}"
     return both if order.acting(first, structure) else None
+
+
+def _of_the_value(first: str, then: str) -> str | None:
+    """A demand with another value, where the next one only says it: "with a gap of 12 m" and "make that 20 m"."""
+    if not (made := re.match(r"(?:no )?(?:make|set) (?:that|it) (?:to )?(?P<value>\d.*)$", then)):
+        return None
+    new, olds = amounts.quantities(made["value"]), amounts.quantities(first)
+    alike = [s for s in olds if new and s.data["dimension"] == new[0].data["dimension"]]
+    if len(alike) != 1 or new[0].end != len(made["value"]):
+        return None
+    return f"{first[: alike[0].start]}{made['value']}{first[alike[0].end :]}"
+
+
+_REPLACES = r"(?:replace|swap|exchange|substitute)\b"
+_ONLY_WHEN = r"(?:(?:but|and|just|only) )*(?:\d[\d.]* ?(?:s|secs?|seconds?) )?(?:after|when|once|as soon as)\b"
 
 
 def _found(demand: str, structure: Structure) -> tuple[Found, Left] | None:
@@ -213,6 +239,22 @@ def _other_one(demand: str, structure: Structure) -> str:
         return demand
     cid = structure.objects[0].id.lower()
     return re.sub(r"\b(from|of|before|behind|for|with|past|to) (?:it|him|her|them)$", rf"\g<1> {cid}", demand)
+
+
+def _of_the_topic(demand: str, topic: str | None) -> str:
+    """A demand for another pace that names nobody, of whom the sentence speaks: "make the child a woman, half as
+    fast"."""
+    named = any(s.kind in ("actor", "ego", "label") for s in scan.names(demand))
+    if not topic or named or re.search(r"\bo[1-9]\b", demand) or not re.match(_PACE, demand):
+        return demand
+    return f"{'ego' if topic == 'E' else topic.lower()} is {demand}"
+
+
+_PACE = (
+    r"(?:(?:and|but|just|only|much|a (?:bit|little)|slightly|about|\d[\d.]* ?(?:km/?h|kph|mph|m/s|%|percent)) )*"
+    r"(?:half|twice|double|three times|slower|faster|quicker)\b"
+    r"(?: as (?:fast|quick|slow)(?:ly)?| (?:the|its|his|her) (?:speed|pace)| speed| now| too)*$"
+)
 
 
 def _tells(demand: str, structure: Structure) -> bool:

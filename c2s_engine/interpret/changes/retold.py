@@ -84,9 +84,11 @@ def _settled(said: str, structure: Structure) -> str:
 
 
 def _misnamed(span: Span, meant: Component) -> bool:
-    """Whether a noun that is a word of somebody's name is that of another type: the scooter of an e-scooter."""
+    """Whether a noun that is somebody's name, or a word of it, is that of another type: the scooter of an e-scooter,
+    the wrong-way driver who is a car."""
     spec = spec_of(meant)
-    return span.data["type"] != spec.type and span.data["noun"] in spec.name.split("_")
+    words = (*spec.name.split("_"), spec.name.replace("_", " "))
+    return span.data["type"] != spec.type and span.data["noun"] in words
 
 
 def _called(cid: ComponentId, structure: Structure) -> str:

@@ -32,7 +32,7 @@ from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField
+from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField, apply
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec, SettingsSpec, Trigger
 
@@ -201,11 +201,12 @@ def _moves(now: Structure, ids: dict[str, str], structure: Structure) -> list[Ed
 def _denied(clause: str, structure: Structure) -> list[Edit] | None:
     """ "The truck should not stop": it does everything else."""
     positive, number = re.subn(table()["not"], "will", clause)
-    found = _read_amid(positive, structure, lambda path: path == "phases") if number == 1 else None
     edits: list[Edit] = []
     doer = refer(clause, structure, alone=False)
     if doer is not None and doer.id == "E" and not re.match(r"(?:the )?ego\b", clause):
         doer = None  # to whom it is not done
+    found = _read_amid(positive, structure, lambda path: path == "phases") if number == 1 else None
+    alone = _acts_alone(positive, doer, structure) if number == 1 and doer is not None else set()
     for edit in found or ():
         if not isinstance(edit, SetField) or edit.path != "phases":
             continue
@@ -216,7 +217,8 @@ def _denied(clause: str, structure: Structure) -> list[Edit] | None:
         ):
             continue
         denied = {p.action for p in edit.value} - {"go_straight"}
-        denied = {a for a in denied if doing(re.sub(table()["meanwhile"], "", clause), (a,))} or denied
+        said = re.sub(table()["meanwhile"], "", clause)
+        denied = {a for a in denied if doing(said, (a,))} or denied & alone or denied
         own = structure[edit.component].spec
         assert isinstance(own, EgoSpec | ObjectSpec)
         phases = own.phases
@@ -228,6 +230,14 @@ def _denied(clause: str, structure: Structure) -> list[Edit] | None:
     if number == 1 and doer is not None and doer.id == "E" and not edits:
         edits = given_up(clause, structure)
     return edits or None
+
+
+def _acts_alone(told: str, doer: Component, structure: Structure) -> set[str]:
+    """The acts that a sentence tells of somebody who does nothing yet."""
+    idle = apply(structure, SetField(component=doer.id, path="phases", value=()))
+    found = _read_amid(told, idle, lambda path: path == "phases") or ()
+    told_acts = [e.value for e in found if isinstance(e, SetField) and (e.component, e.path) == (doer.id, "phases")]
+    return {p.action for phases in told_acts for p in phases}
 
 
 def _names(told: str, component: Component, structure: Structure) -> bool:

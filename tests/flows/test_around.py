@@ -1,5 +1,6 @@
 """Around the panes: the row of keys, zoom, room, find, findings, turns and sessions as lists."""
 
+import threading
 from random import Random
 
 import pytest
@@ -243,6 +244,24 @@ async def test_what_is_sent_before_the_session_is_open_waits_for_it(stage):
         await stage.until(pilot, lambda: stage.bench.desk.structure.text == CUT_IN and not stage.busy)
         await stage.until(pilot, lambda: stage.bench.choices.choice.map == "town")
         assert stage.bench.chat.entry.text == "What is a cut-in?"
+
+
+async def test_what_could_not_be_sent_is_not_sent_with_what_is_typed_next(stage):
+    async with stage.described() as pilot:
+        stage.engine.gate, stage.engine.gated_at = threading.Event(), "say"
+        entry, kept = stage.bench.chat.entry, "make it 12 m"
+        await stage.say(pilot, "What is a cut-in?", wait=False)
+        await stage.until(pilot, lambda: stage.busy)
+        await stage.say(pilot, kept, wait=False)
+        await stage.until(pilot, lambda: entry.text == kept)
+        await pilot.press("n", "o")
+        assert entry.text == "no" and entry.draft == f"{kept}\nno"
+        await pilot.press("enter")
+        await stage.until(pilot, lambda: entry.kept == [kept, "no"] and entry.text == kept)
+        await pilot.press("backspace")
+        await stage.until(pilot, lambda: entry.kept == ["no"] and not entry.text)
+        stage.engine.gate.set()
+        await stage.idle(pilot)
 
 
 async def test_page_up_in_the_line_scrolls_the_chat(stage):

@@ -56,6 +56,7 @@ _NEXT = re.compile(rf"(?:\?\s*(?:and|or|but)?|,?\s+and)\s+(?={_QUESTION})", re.I
 """Between two questions in one turn."""
 _WHY = re.compile(r"^(?:and |but |so )?(?:why|what makes|what made)\b", re.I)
 _NOT = re.compile(r"\b(?:not|never|fail\w*)\b|n['’]t\b", re.I)
+_OF_EGO = re.compile(r"\b(?:I|me|my|we|us|our|you|your)\b", re.I)
 BRAKES = ("brake", "brake_hard", "stop")
 _FUNCTION = "why what makes made did does do is are was were has have had will would not never fail the an of for to it"
 
@@ -142,7 +143,7 @@ class _Asked:
     def two_others(self) -> bool:
         """Whether it is about others than ego, and about none but these: two or more are named, ego is not."""
         cids = {_cid(o) for o in self.meant}
-        return len(cids) > 1 and "E" not in cids and not re.search(r"\b(?:I|me|my|we|us|our|you|your)\b", self.text, re.I)
+        return len(cids) > 1 and "E" not in cids and not _OF_EGO.search(self.text)
 
     @property
     def actors(self) -> list[ObjectFacts]:

@@ -768,6 +768,14 @@ def test_of_code_by_hand_what_rests_on_the_run_alone_is_required_where_a_text_to
     assert [c.said for c in collisions(run, require(told))] == [False]
 
 
+@pytest.mark.parametrize(("speed", "holds"), [(10.0, None), (ramp((0, 10), (4, 10), (5, 7), (12, 7)), True)])
+def test_a_bound_on_braking_is_not_tried_by_who_never_brakes(speed, holds) -> None:
+    bound = s(ObjectSpec(), restrictions=t(Limit(kind="deceleration", maximum=5.0)))
+    run = Scene([ego(speed=speed), other()]).run()
+    found = {r.requirement: r for r in evaluate(require(bound), run.facts, run.trajectories)}["T.limits.0"]
+    assert found.holds is holds and ("not tried" in found.why) is (holds is None)
+
+
 def test_most_runs_decide_and_failures_are_told_in_a_line() -> None:
     shows, misses = Scene([ego(), other(speed=BRAKING)]).run(), Scene([ego(), other(speed=SLOWER)]).run()
     required = require(s(brakes()))

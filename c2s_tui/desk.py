@@ -47,6 +47,7 @@ class Desk:
     requirements: tuple[Requirement, ...] = ()
     results: tuple[Result, ...] = ()  # one for each requirement, once something has run
     required_before: tuple[Requirement, ...] = ()  # by the turn before, as the last one began
+    text_before: str | None = None  # the description then; None: before any turn
     measures: tuple[Measures, ...] = ()  # one a run
     gaps: dict[str, list[float]] = field(default_factory=dict)  # m to ego at each step of the first run, by name
     seeds: tuple[SeedResult, ...] = ()  # of the series of runs under way, or done last with this program
@@ -90,6 +91,7 @@ def begun(desk: Desk) -> Desk:
     return replace(
         desk, before=desk.program.text, rewritten=(), running=None, stale=True, prompt_tokens=0, answer_tokens=0,
         seconds=0.0, states={}, required_before=desk.requirements,
+        text_before=desk.structure.text,
     )  # fmt: skip
 
 

@@ -27,7 +27,7 @@ class Drafts(Part):
         """Swap to disk what was typed and neither sent nor applied; `now`: all of it, before this returns."""
         if self.bench.session is None:
             return
-        texts = {"chat": self.chat.entry.text}
+        texts = {"chat": self.chat.entry.draft}
         if self.recovered:
             texts["code"] = self.bench.code.text if self.bench.code.edited else ""
         if now:  # what is being written from a thread at this moment may be older than what is there

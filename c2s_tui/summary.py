@@ -51,7 +51,10 @@ def summary(desk: Desk, back: str = "") -> tuple[str, str]:
 
 
 def _fewer(desk: Desk) -> str:
-    """Of which components that are still there fewer requirements are made than before; of code by hand, why."""
+    """Of which components that are still there fewer requirements are made than before; of code by hand, why. Those of
+    another description are no measure."""
+    if desk.text_before not in (None, desk.structure.text):
+        return ""
     before, now = (Counter(r.component for r in asked) for asked in (desk.required_before, desk.requirements))
     fewer = {c.id: before[c.id] - now[c.id] for c in desk.structure.components if before[c.id] > now[c.id]}
     if not fewer:

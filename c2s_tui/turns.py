@@ -184,9 +184,8 @@ class Turns(Part):
             self._put_back("\n".join(early))
 
     def _put_back(self, text: str) -> None:
-        """Back into the line, before what was typed there since."""
-        since = self.chat.entry.text
-        self.chat.entry.put(f"{text}\n{since}" if since else text)
+        """Back into the line, or after what was begun there since."""
+        self.chat.entry.keep(text)
 
     async def _after(self, hand: Sequence[Edit], events: AsyncIterator[Progress]) -> AsyncIterator[Progress]:
         """The events of a turn, after those of applying what was typed in the code: the turn is about that."""

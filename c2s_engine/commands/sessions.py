@@ -82,8 +82,9 @@ def edit(
         text = (program, read_program(program)) if program else None
         if not (new or program):
             known(name)
+        told: list[str] = []
         session, done = asyncio.run(_work(name, text, say, edits, (undo, redo, resume, to), options, model, as_json,
-                                          contradictions))  # fmt: skip
+                                          contradictions, told))  # fmt: skip
         if output is not None:
             from c2s_engine.config import load_settings
             from c2s_engine.maps.library import MapLibrary
@@ -102,6 +103,8 @@ def edit(
             show.without_effect(done.details.get("without_effect", ()) if done else ())
             show.contradictions(done.details if done else {})
     code_of = OK if done is None else exit_code(done)
+    if code_of != OK and told and not as_json:  # what stands above is of S as it was
+        err.print(Text("\n".join(told), style="yellow"))
     found: dict[str, Any] = {}
     if chosen and code_of == OK:
         folder = session.details.get("folder")
@@ -234,6 +237,7 @@ async def _work(
     model: str | None,
     quiet: bool,
     contradictions: bool,
+    told: list[str],
 ) -> "tuple[Session, Finished | None]":
     from c2s_engine.api import Engine
     from c2s_engine.config import load_settings
@@ -264,7 +268,7 @@ async def _work(
                 done = await _take(session.apply(given, **options), quiet)
             if say:
                 upon = session.structure
-                done = await _take(session.say(say, **options), quiet)
+                done = await _take(session.say(say, **options), quiet, told)
                 embedded = (options["method"] or settings.method) == "embedded"
                 if done is not None and embedded and session.structure != upon:
                     idle = await _without_effect(engine, session, say, upon)
@@ -291,7 +295,8 @@ async def _without_effect(engine: "Engine", session: "Session", said: str, upon:
         return ()
 
 
-async def _take(events: AsyncIterator[Progress], quiet: bool) -> Finished | None:
+async def _take(events: AsyncIterator[Progress], quiet: bool, told: list[str] | None = None) -> Finished | None:
+    """The end of a turn, whose words are printed as they come, and added to `told`."""
     done, number = None, 0
     async for event in events:
         if isinstance(event, Passage) and not quiet:
@@ -299,6 +304,8 @@ async def _take(events: AsyncIterator[Progress], quiet: bool) -> Finished | None
             err.print(Text(f"{number} {event.title}", style="bold"))
             err.print(Text(event.text.strip()))
         elif isinstance(event, Say) and not quiet:
+            if told is not None:
+                told.append(event.text)
             err.print(Text(event.text, style={"warning": "yellow", "error": "red"}.get(event.severity, "")))
         elif isinstance(event, Finished):
             done = event

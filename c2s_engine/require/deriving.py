@@ -31,7 +31,8 @@ PARTS = (
 def require(structure: Structure) -> tuple[Requirement, ...]:
     """What a run of S must show. Derived from S alone; each id is there once.
 
-    Of components that were imported or written by hand only what was recognised is required (`unrecognised`).
+    Of components that were imported or written by hand only what was recognised is required (`unrecognised`), and of
+    those that a text told of besides what rests on the run alone: contacts, and what bodies can do.
     """
     scene = Scene(structure)
     found = {r.id: r for part in PARTS for r in part.required(scene)}

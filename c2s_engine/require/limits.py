@@ -17,6 +17,9 @@ UNITS = {"speed": "m/s", "acceleration": "m/s2", "deceleration": "m/s2", "latera
 APART = ("gap", "ttc")
 """What is between two, rather than of one."""
 
+TRIED = 0.3
+"""m/s2 under which nobody brakes: a bound on braking says nothing of that."""
+
 
 def required(scene: Scene) -> Iterator[Requirement]:
     spec = scene.structure.restrictions.spec
@@ -41,6 +44,10 @@ def within(requirement: Requirement, evidence: Evidence) -> Result:
     for motion in evidence.motions(requirement.actor):
         settled = motion.time >= settles
         series.append((_of(motion, str(requirement.values["measure"]))[settled], motion.time[settled]))
+    braking = requirement.values["measure"] == "deceleration" and requirement.values.get("least") is None
+    if braking and series and all(values.max(initial=0.0) < TRIED for values, _ in series):
+        said = f"at most {requirement.values['most']:g} m/s2"
+        return unknown(requirement, said, "not tried: it never brakes")
     return _kept(requirement, series)
 
 

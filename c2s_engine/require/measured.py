@@ -1,20 +1,47 @@
 """The measures of one run from its tracks."""
 
+from itertools import combinations
+from typing import Any
+
 import numpy as np
 
 from c2s_engine.require.evidence import STANDING, Evidence, Motion
-from c2s_engine.require.measures import Pair, pairs
-from c2s_engine.structure.facts import RunFacts, Trajectories
+from c2s_engine.require.measures import Line, Pair, pairs
+from c2s_engine.structure.facts import EGO, RunFacts, Trajectories
 from c2s_engine.structure.measures import ActorMeasures, Measures, PairMeasures
 
+MANY = 8
+"""Others than ego of whom every two are measured."""
 SETTLED = 0.5
 """s after the start from which on speeds count: until then bodies are given their speeds."""
 
 
 def measured(facts: RunFacts, ways: Trajectories) -> Measures:
-    """Ego and each other, and each actor that moves, in the run's order."""
+    """Ego and each other, two others of whom one moves, and each actor that moves, in the run's order."""
     moving = [m for m in Evidence(facts, ways).everybody if m.moves]
-    return Measures(pairs=tuple(extremes(p) for p in pairs(ways)), actors=tuple(_actor(m) for m in moving))
+    return Measures(
+        pairs=tuple(extremes(p) for p in pairs(ways)), others=_of_others(ways, {m.name for m in moving}),
+        actors=tuple(_actor(m) for m in moving),
+    )  # fmt: skip
+
+
+def _of_others(ways: Trajectories, moving: set[str]) -> tuple[PairMeasures, ...]:
+    """Of two others than ego their gap and their time to collision; of long rows and crowds none."""
+    tracks = [t for t in ways.tracks if t.name != EGO and t.x]
+    if len(tracks) > MANY:
+        return ()
+    two = [(a, b) for a, b in combinations(tracks, 2) if {a.name, b.name} & moving]
+    return tuple(_nearest(Pair(ways.step, a, b, Line(a))) for a, b in two)
+
+
+def _nearest(pair: Pair) -> PairMeasures:
+    """The smallest gap of a pair and its smallest time to collision."""
+    least: dict[str, Any] = {"gap_m": round(float(pair.gap.min()), 2)}
+    least["gap_at_s"] = round(int(np.argmin(pair.gap)) * pair.step, 2)
+    soonest = int(np.argmin(pair.ttc))
+    if np.isfinite(pair.ttc[soonest]):
+        least |= {"ttc_s": round(float(pair.ttc[soonest]), 2), "ttc_at_s": round(soonest * pair.step, 2)}
+    return PairMeasures(one=pair.ego.name, other=pair.other.name, **least)
 
 
 def extremes(pair: Pair) -> PairMeasures:

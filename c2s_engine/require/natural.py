@@ -25,11 +25,13 @@ GAINS = ("accelerate", "start", "overtake", "enter_road", "cut_in", "cut_out", "
 def required(scene: Scene) -> Iterator[Requirement]:
     hits = struck(scene)
     for actor, spec in scene.actors.items():
-        if spec.type not in MOVING or not scene.recognised(actor):
+        if spec.type not in MOVING or not scene.of_text(actor):
             continue
         name, actions = scene.named(actor), {p.action for p in spec.phases}
         yield scene.make("natural", "dynamics", actor, "dynamics", f"{name} moves within what its class can and "
                          "does.", sideways="lose_control" not in actions)  # fmt: skip
+        if not scene.recognised(actor):
+            continue
         yield from _speeds(scene, actor, spec)
         cid = component_of(actor)
         changes = tuple(f"{cid}.phases.{i}.{p.action}" for i, p in enumerate(spec.phases) if p.action in CHANGES)

@@ -51,7 +51,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
             yield scene.make("outcome", "part", actor, f"phases.{index}.struck_part",
                              f"{other} is struck at its {_words(hit)}.", other=target, part=hit,
                              mine=False)  # fmt: skip
-    if all(scene.recognised(a) for a in scene.actors):
+    if all(scene.of_text(a) for a in scene.actors):
         timed = [a for a, o in scene.objects.items() if o.placement.arrives is not None]
         meet = [(a, EGO) for a in timed if scene.stated(a, "placement.arrives") and _together(scene, a)]
         said = tuple(f"{a} {b}" for a, b in (*pairs, *(meet if scene.ego.reaction == "none" else ())))

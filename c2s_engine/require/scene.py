@@ -60,6 +60,12 @@ class Scene:
         """Whether the component's spec says what it does: not so where its code is by hand or was imported."""
         return self.component(actor).recognised
 
+    def of_text(self, actor: str) -> bool:
+        """Whether what its run must not show is known: its spec says what it does, or a text that its code by hand
+        departs from did."""
+        by_hand = self.component(actor).origin == "by_hand" and bool(self.structure.text)
+        return by_hand or self.recognised(actor)
+
     def says(self, actor: str, field: str) -> bool:
         """Whether S says a field of a component: of imported ones only what was recognised, never what is a default."""
         if self.recognised(actor):

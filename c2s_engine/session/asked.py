@@ -1,7 +1,7 @@
 """Answers to questions about the scene at hand: from S, and from what its last run showed."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from c2s_engine.session.glossary import meaning
@@ -11,7 +11,7 @@ from c2s_engine.structure.account import STATUS_WORDS, Clause, account
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.facts import EGO, EventFact, ObjectFacts, RunFacts
 from c2s_engine.structure.happening import USUAL, WORDS, ended, told
-from c2s_engine.structure.measures import ActorMeasures, Measures, PairMeasures, collisions
+from c2s_engine.structure.measures import ActorMeasures, Collision, Measures, PairMeasures, collisions
 from c2s_engine.structure.progress import Finished
 from c2s_engine.structure.requirements import failures, tally
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
@@ -56,6 +56,8 @@ _NEXT = re.compile(rf"(?:\?\s*(?:and|or|but)?|,?\s+and)\s+(?={_QUESTION})", re.I
 """Between two questions in one turn."""
 _WHY = re.compile(r"^(?:and |but |so )?(?:why|what makes|what made)\b", re.I)
 _NOT = re.compile(r"\b(?:not|never|fail\w*)\b|n['’]t\b", re.I)
+_OF_EGO = re.compile(r"\b(?:I|me|my|we|us|our|you|your)\b", re.I)
+BRAKES = ("brake", "brake_hard", "stop")
 _FUNCTION = "why what makes made did does do is are was were has have had will would not never fail the an of for to it"
 
 
@@ -80,7 +82,7 @@ def answered(question: str, shown: Finished | None) -> str:
         return "\n".join(lines) if any(answers.values()) else ""
     about = _Asked(question, shown)
     if _ASKS_MEANING.match(question.strip()) and (entry := meaning(question)):
-        measured = _near(about) if shown.facts and re.search(_NEAR, question, re.I) else ""
+        measured = _in_the_run(about) if shown.facts and re.search(_NEAR, question, re.I) else ""
         return f"{entry}\n{measured}".strip()
     if about.why_not and (said := _why_not(about)):
         return said
@@ -138,6 +140,12 @@ class _Asked:
         return any(self.names(c) for c in self.structure.components if c.kind in "EO")
 
     @property
+    def two_others(self) -> bool:
+        """Whether it is about others than ego, and about none but these: two or more are named, ego is not."""
+        cids = {_cid(o) for o in self.meant}
+        return len(cids) > 1 and "E" not in cids and not _OF_EGO.search(self.text)
+
+    @property
     def actors(self) -> list[ObjectFacts]:
         """The objects of the run that are asked about; those that are named, else all that move."""
         return self.meant or [o for o in self.facts.objects if o.moves]
@@ -158,15 +166,56 @@ def _cid(thing: ObjectFacts) -> str | None:
 
 def _collided(asked: _Asked) -> str:
     found = collisions(asked.facts, asked.shown.requirements, bool(asked.structure.text))
+    if asked.why and (said := _why_collided(asked, found)):
+        return said
+    if asked.two_others:
+        named = {o.name for o in asked.meant}
+        found = tuple(c for c in found if {c.one, c.other} <= named)
     if not found:
         nearest = " ".join(_pair(p) for p in _pairs(asked)[:1])
-        return f"No collision in the run of {asked.facts.duration:.1f} s. {nearest}".strip()
+        whose = " of these two" if asked.two_others else ""
+        return f"No collision{whose} in the run of {asked.facts.duration:.1f} s. {nearest}".strip()
     return ". ".join(f"{str(c)[0].upper()}{str(c)[1:]}" for c in found) + "."
+
+
+def _in_the_run(asked: _Asked) -> str:
+    """What the run showed of a measure whose meaning is asked for."""
+    if not re.search(r"\bpet\b|\bencroachment\b", asked.text, re.I):
+        return _near(asked)
+    crossed = [p for p in _pairs(asked) if p.pet_s is not None]
+    return " ".join(map(_pair, crossed)) or "There is none in the run: no ways that cross."
+
+
+def _why_collided(asked: _Asked, found: Sequence[Collision]) -> str:
+    """Of a collision of ego: what ego could see, and what the two did before, as the run has it."""
+    named = {o.name for o in asked.meant} - {EGO}
+    hit = next((c for c in found if EGO in (c.one, c.other) and (not named or named & {c.one, c.other})), None)
+    if hit is None:
+        return ""
+    other = hit.other if hit.one == EGO else hit.one
+    here, its = (next((o for o in asked.facts.objects if o.name == n), None) for n in (EGO, other))
+    lines = [f"{str(hit)[0].upper()}{str(hit)[1:]}."]
+    if its is not None and its.hidden_behind:
+        lines.append(f"{other} is hidden from ego at the start, behind {', '.join(its.hidden_behind)}.")
+    elif its is not None:
+        lines.append(f"{other} is in ego's sight from the start.")
+    before = [(e.time, o.name, e) for o in (here, its) if o is not None for e in o.events
+              if e.event not in USUAL and 0 < e.time < hit.time]  # fmt: skip
+    before.sort(key=lambda b: b[0])
+    if before:
+        lines.append(f"Before: {'; '.join(f'{name} {_event(e)}' for _, name, e in before[-8:])}.")
+    if here is not None and not any(e.event in BRAKES and e.time < hit.time for e in here.events):
+        spec = asked.structure.ego.spec
+        why = ", and S says no reaction of ego" if isinstance(spec, EgoSpec) and spec.reaction == "none" else ""
+        lines.append(f"Ego does not brake before{why}.")
+    return " ".join(lines)
 
 
 def _near(asked: _Asked) -> str:
     if re.search(r"\b(?:start|begin)\w*\b|\bat first\b", asked.text, re.I) and (said := _apart_at_start(asked)):
         return said
+    if asked.two_others and not _pairs(asked):
+        return "How near these come to each other was not measured: only how near they come to ego."
     stops = _stopped(asked) if re.search(_STOPPED, asked.text, re.I) else ""
     return " ".join([*(_pair(p) for p in _pairs(asked)[:4]), *([stops] if stops else [])])
 
@@ -177,15 +226,20 @@ def _apart_at_start(asked: _Asked) -> str:
 
 
 def _pairs(asked: _Asked) -> list[PairMeasures]:
-    """Ego with those that are asked about (else with all others, whether they move or not), the nearest first."""
+    """Ego with those that are asked about (else with all others, whether they move or not), the nearest first; of two
+    others that are named with no word of ego, these two."""
     named = {o.name for o in asked.meant}
+    if asked.two_others:
+        cids = {o.name: _cid(o) for o in asked.meant}
+        pairs = [p for p in asked.measures.others if {p.one, p.other} <= named and cids[p.one] != cids[p.other]]
+        return sorted(pairs, key=lambda p: p.gap_m)
     pairs = [p for p in asked.measures.pairs if p.other in named] or list(asked.measures.pairs)
     return sorted(pairs, key=lambda p: p.gap_m)
 
 
 def _pair(pair: PairMeasures) -> str:
     least = f"{pair.gap_m:.1f} m at {pair.gap_at_s:.1f} s" if pair.gap_m > 0 else f"0 m at {pair.gap_at_s:.1f} s"
-    parts = [f"Smallest gap between ego and {pair.other}, bumper to bumper: {least}"]
+    parts = [f"Smallest gap between {pair.one} and {pair.other}, bumper to bumper: {least}"]
     if pair.ttc_s is not None:
         parts.append(f"smallest time to collision {pair.ttc_s:.1f} s at {pair.ttc_at_s:.1f} s")
     if pair.pet_s is not None:
@@ -198,7 +252,7 @@ def _braked(asked: _Asked) -> str:
         return _why_braked(asked)
     said = []
     for actor in asked.actors:
-        events = [e for e in actor.events if e.event in ("brake", "brake_hard", "stop")]
+        events = [e for e in actor.events if e.event in BRAKES]
         motion = asked.motion(actor.name)
         if events and motion:
             seen = ", ".join(_event(e) for e in events)

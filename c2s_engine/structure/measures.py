@@ -14,11 +14,12 @@ class _Frozen(BaseModel):
 
 
 class PairMeasures(_Frozen):
-    """The smallest values between ego and another, with their times; None where there is none.
+    """The smallest values between ego (or `one`) and another, with their times; None where there is none.
 
     Gaps are from bumper to bumper (between the two boxes). `ttc_s`: time to collision, both keeping speed and heading;
     `pet_s`: post-encroachment time where their ways cross."""
 
+    one: str = EGO
     other: str
     gap_m: float
     gap_at_s: float
@@ -43,9 +44,10 @@ class ActorMeasures(_Frozen):
 
 
 class Measures(_Frozen):
-    """The measures of one run."""
+    """The measures of one run; `pairs`: ego with each other, `others`: two others of whom one moves."""
 
     pairs: tuple[PairMeasures, ...] = ()
+    others: tuple[PairMeasures, ...] = ()
     actors: tuple[ActorMeasures, ...] = ()
 
     def least(self, name: str) -> PairMeasures | None:

@@ -1,5 +1,6 @@
 """The line to type in: Enter sends, the text grows downwards, earlier lines come back with the arrow keys."""
 
+from textual import on
 from textual.binding import Binding
 from textual.events import Key
 
@@ -24,6 +25,8 @@ class Entry(OrderedArea):
             placeholder="Describe, ask, change. /help", **options,
         )  # fmt: skip
         self.sent: list[str] = []
+        self.kept: list[str] = []  # what was put back, until it is sent or deleted
+        self._before = ""
         self._at = 0
 
     async def _on_key(self, event: Key) -> None:
@@ -52,7 +55,9 @@ class Entry(OrderedArea):
         if text:
             self.sent.append(text)
             self._at = len(self.sent)
+            self.kept = [kept for kept in self.kept if kept not in text]
             self.text = ""
+            self._bring_back()
             self.post_message(Said(text))
 
     def remember(self, texts: list[str]) -> None:
@@ -64,6 +69,34 @@ class Entry(OrderedArea):
         """Put a text there to be sent or changed."""
         self.text = text
         self.move_cursor(self.document.end)
+
+    def keep(self, text: str) -> None:
+        """Put back what could not be sent: what is typed next is a line of its own, after which it is there again. A
+        line that was begun stays."""
+        self.kept.append(text)
+        if not self.text:
+            self._bring_back()
+
+    def _bring_back(self) -> None:
+        """What was put back, selected whole."""
+        if self.kept:
+            self.put(self.kept[0])
+            self.select_all()
+
+    @on(OrderedArea.Changed)
+    def _emptied(self) -> None:
+        """What was put back and is deleted is gone; after another line it comes again."""
+        before, self._before = self._before, self.text
+        if self.kept and not self.text:
+            if self.kept[0] in before:
+                self.kept.pop(0)
+            else:
+                self._bring_back()
+
+    @property
+    def draft(self) -> str:
+        """All that is not sent."""
+        return "\n".join([*(kept for kept in self.kept if kept not in self.text), *filter(None, [self.text])])
 
     def _recall(self, by: int) -> bool:
         if not 0 <= self._at + by <= len(self.sent):

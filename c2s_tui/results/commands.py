@@ -3,14 +3,22 @@
 from contextlib import aclosing
 from dataclasses import replace
 from functools import partial
+from typing import TYPE_CHECKING
 
 from c2s_engine.maps.library import SHIPPED
 from c2s_engine.structure.offers import Offer, verdict
 from c2s_tui.part import Part, background, sentence
 
+if TYPE_CHECKING:
+    from c2s_tui.workbench import Workbench
+
 
 class ResultsCommands(Part):
     """Commands that concern what runs show."""
+
+    def __init__(self, bench: "Workbench"):
+        super().__init__(bench)
+        self.series = False  # a series of runs is under way
 
     async def do_results(self, argument: str) -> None:
         """Show the results of the run, or close them where they can be seen."""
@@ -19,7 +27,7 @@ class ResultsCommands(Part):
             self.bench.results.show(self.desk)
             return
         if self.bench.results.has_class("-on"):
-            if self.bench.turns.busy and argument == "close":
+            if self.series and argument == "close":
                 await self.bench.turns.do_cancel("")
                 return
             self.bench.results.remove_class("-on")
@@ -110,7 +118,7 @@ class ResultsCommands(Part):
             self.desk = replace(self.desk, seeds=(), planned=len(chosen))
             structure, program = self.desk.structure, self.desk.program
             folder = await self.backend.do(lambda _: self.backend.folder(program.text))
-            self.bench.turns.working = f"seed 1 of {len(chosen)}"
+            self.bench.turns.working, self.series = f"seed 1 of {len(chosen)}", True
             self.bench.show()
             try:
                 runs = partial(self.backend.engine.seeds, structure, program, chosen, folder=folder)
@@ -123,7 +131,7 @@ class ResultsCommands(Part):
             except Exception as error:  # a check server that broke off: one sentence
                 await self.chat.note(sentence(error), "error")
             finally:
-                self.bench.turns.working = ""
+                self.bench.turns.working, self.series = "", False
                 self.bench.show()
         if self.desk.seeds:
             rows = self.desk.seeds

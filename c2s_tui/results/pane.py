@@ -21,7 +21,7 @@ class ResultsPane(VerticalScroll, can_focus=True):
     BINDINGS = [
         Binding("s", "seeds", "20 seeds", id="results.seeds", tooltip="Run with 20 seeds and show which pass"),
         Binding("p", "picture", "Picture", id="results.picture", tooltip="Show the run from above"),
-        Binding("escape", "close", "Close", id="results.close", tooltip="Cancel what runs, or close the results"),
+        Binding("escape", "close", "Close", id="results.close", tooltip="Cancel a series, or close the results"),
     ]
 
     def __init__(self, **options: Any):

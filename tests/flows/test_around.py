@@ -1,5 +1,6 @@
 """Around the panes: the row of keys, zoom, room, find, findings, turns and sessions as lists."""
 
+import threading
 from random import Random
 
 import pytest
@@ -243,6 +244,40 @@ async def test_what_is_sent_before_the_session_is_open_waits_for_it(stage):
         await stage.until(pilot, lambda: stage.bench.desk.structure.text == CUT_IN and not stage.busy)
         await stage.until(pilot, lambda: stage.bench.choices.choice.map == "town")
         assert stage.bench.chat.entry.text == "What is a cut-in?"
+
+
+async def test_what_could_not_be_sent_is_not_sent_with_what_is_typed_next(stage):
+    async with stage.described() as pilot:
+        stage.engine.gate, stage.engine.gated_at = threading.Event(), "say"
+        entry, kept = stage.bench.chat.entry, "make it 12 m"
+        await stage.say(pilot, "What is a cut-in?", wait=False)
+        await stage.until(pilot, lambda: stage.busy)
+        await stage.say(pilot, kept, wait=False)
+        await stage.until(pilot, lambda: entry.text == kept)
+        await pilot.press("n", "o")
+        assert entry.text == "no" and entry.draft == f"{kept}\nno"
+        await pilot.press("enter")
+        await stage.until(pilot, lambda: entry.kept == [kept, "no"] and entry.text == kept)
+        await pilot.press("backspace")
+        await stage.until(pilot, lambda: entry.kept == ["no"] and not entry.text)
+        stage.engine.gate.set()
+        await stage.idle(pilot)
+
+
+async def test_the_panes_say_which_session_is_being_opened(stage, monkeypatch):
+    async with stage.described() as pilot:
+        opened, seen = stage.bench.backend.open, []
+
+        async def slow(name):
+            panes = stage.bench.chat, stage.bench.sheet, stage.bench.code
+            seen.extend(str(pane.border_subtitle) for pane in panes)
+            return await opened(name)
+
+        monkeypatch.setattr(stage.bench.backend, "open", slow)
+        await stage.bench.run_command("new", "evening")
+        await stage.until(pilot, lambda: stage.bench.session.name == "evening")
+        assert seen == ["opening evening"] * 3 and stage.bench.chat.border_subtitle == "evening"
+        assert not stage.bench.sheet.border_subtitle and not stage.bench.code.border_subtitle
 
 
 async def test_page_up_in_the_line_scrolls_the_chat(stage):

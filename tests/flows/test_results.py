@@ -132,6 +132,22 @@ async def test_words_of_a_turn_before_are_not_named_below_a_newer_one(stage):
         assert not any("would be the same" in line for line in stage.said)
 
 
+async def test_escape_closes_the_results_first_and_lets_the_turn_go_on(stage):
+    async with stage.described() as pilot:
+        await pilot.press("f6")
+        await stage.until(pilot, lambda: stage.bench.results.has_focus)
+        stage.engine.gate, stage.engine.gated_at = threading.Event(), "say"
+        await stage.say(pilot, "What is a cut-in?", wait=False)
+        await stage.until(pilot, lambda: stage.busy)
+        stage.bench.results.focus()
+        await pilot.press("escape")
+        await stage.until(pilot, lambda: not stage.bench.results.has_class("-on"))
+        assert stage.busy
+        stage.engine.gate.set()
+        await stage.idle(pilot)
+        assert not any(line.startswith("Cancelled") for line in stage.said)
+
+
 async def test_what_contradicts_is_said_where_not_all_is_shown(stage):
     async with stage.described() as pilot:
         await stage.say(pilot, "/contradictions")
@@ -181,6 +197,7 @@ def test_requirements_that_are_no_longer_made_are_told():
     assert "1 of 1 requirements met (1 fewer of E, 1 fewer of O1 than before; of O1, by hand, only what is" in said
     more = replace(desk, required_before=(), requirements=asked("O1", "E"))
     assert "fewer" not in summary(more)[0]
+    assert "fewer" not in summary(replace(desk, text_before="Another description."))[0]
 
 
 async def test_f6_brings_results_that_are_behind_another_pane(stage):

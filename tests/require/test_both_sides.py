@@ -11,6 +11,7 @@ from c2s_engine.require import evaluate, majority, require, whole, without_react
 from c2s_engine.require.deriving import PARTS
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.facts import ContactFact, Mark, Stay
+from c2s_engine.structure.measures import collisions
 from c2s_engine.structure.requirements import Run, failures, tally
 from c2s_engine.structure.specs import (
     EgoSpec,
@@ -755,6 +756,24 @@ def test_of_imported_components_only_what_was_recognised_is_required() -> None:
     assert not ids & {"O1.placement.position", "O1.type", "O1.dynamics", "O1.steady", "R.nobody_else"}
     kept = Structure.model_validate(plain.model_dump(mode="json"))  # as sessions and the check server hand it on
     assert {r.id for r in require(kept)} == ids
+
+
+def test_of_code_by_hand_what_rests_on_the_run_alone_is_required_where_a_text_told_of_it() -> None:
+    spec = ObjectSpec(name="lead", phases=(Phase(action="brake"),))
+    plain = Structure(objects=(Component(id="O1", spec=spec, origin="by_hand"),))
+    told = plain.model_copy(update={"text": "A car brakes ahead of ego."})
+    more = {r.id for r in require(told)} - {r.id for r in require(plain)}
+    assert more == {"O1.dynamics", "T.no_other_contact"}
+    run = Scene([ego(), other()], contacts=(HIT,)).run().facts
+    assert [c.said for c in collisions(run, require(told))] == [False]
+
+
+@pytest.mark.parametrize(("speed", "holds"), [(10.0, None), (ramp((0, 10), (4, 10), (5, 7), (12, 7)), True)])
+def test_a_bound_on_braking_is_not_tried_by_who_never_brakes(speed, holds) -> None:
+    bound = s(ObjectSpec(), restrictions=t(Limit(kind="deceleration", maximum=5.0)))
+    run = Scene([ego(speed=speed), other()]).run()
+    found = {r.requirement: r for r in evaluate(require(bound), run.facts, run.trajectories)}["T.limits.0"]
+    assert found.holds is holds and ("not tried" in found.why) is (holds is None)
 
 
 def test_most_runs_decide_and_failures_are_told_in_a_line() -> None:

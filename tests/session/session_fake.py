@@ -34,6 +34,10 @@ class FakeEngine:
                 raise
         if "fail" in text:
             raise RuntimeError("out of order")
+        if "refuse" in text:
+            details = {"turn": "edit", "unchanged": True}
+            yield Finished(ok=True, structure=structure, program=assemble(structure), details=details)
+            return
         edits = [] if text.endswith("?") else [AddObject(spec=ObjectSpec(name=text), description=text)]
         async for event in self.apply(structure, edits, **options):
             yield event

@@ -81,6 +81,54 @@ def test_questions_about_the_scene_and_its_run(question, words):
     assert words in answered(question, SHOWN)
 
 
+VAN = ObjectFacts(name="van", component="O2", types=("van",), length=5, width=2, moves=True)
+TWO_OTHERS = SHOWN.model_copy(update={
+    "structure": STRUCTURE.model_copy(update={
+        "objects": (*STRUCTURE.objects, Component(id="O2", spec=ObjectSpec(name="van", type="van"))),
+    }),
+    "facts": (SHOWN.facts[0].model_copy(update={"objects": (EGO, CYCLIST, VAN)}),),
+})  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("question", "words"),
+    [("what was the closest distance between the cyclist and the van?", "Smallest gap between cyclist and van, bumper "
+      "to bumper: 3.2 m at 2.5 s."),
+     ("did the van hit the cyclist?", "No collision of these two in the run of 5.1 s. Smallest gap between cyclist"),
+     ("how close did ego come to the cyclist?", "Smallest gap between ego and cyclist")],
+)  # fmt: skip
+def test_two_others_than_ego_are_answered_for(question, words):
+    near = PairMeasures(one="cyclist", other="van", gap_m=3.2, gap_at_s=2.5)
+    measures = SHOWN.measures[0].model_copy(update={"others": (near,)})
+    said = answered(question, TWO_OTHERS.model_copy(update={"measures": (measures,)}))
+    assert said.startswith(words)
+    assert "between ego and van" not in said
+
+
+def test_how_near_two_others_come_may_not_be_known():
+    said = answered("how close did the van come to the cyclist?", TWO_OTHERS)
+    assert said == "How near these come to each other was not measured: only how near they come to ego."
+
+
+def test_why_ego_hit_somebody_is_told_by_what_it_saw_and_did():
+    assert answered("why did ego hit the cyclist?", SHOWN) == (
+        "COLLISION ego-cyclist at 4.1 s, not in the text. cyclist is in ego's sight from the start. "
+        "Before: cyclist enters the road at 2.9 s; ego brakes at 3.6 s."
+    )
+    rolls = EGO.model_copy(update={"events": ()})
+    facts = SHOWN.facts[0].model_copy(update={"objects": (rolls, CYCLIST)})
+    assert answered("why did ego hit the cyclist?", SHOWN.model_copy(update={"facts": (facts,)})).endswith(
+        "Before: cyclist enters the road at 2.9 s. Ego does not brake before."
+    )
+
+
+def test_a_measure_is_explained_with_what_the_run_has_of_it():
+    assert answered("what is PET?", SHOWN).endswith("\nThere is none in the run: no ways that cross.")
+    pair = SHOWN.measures[0].pairs[0].model_copy(update={"pet_s": 0.8})
+    shown = SHOWN.model_copy(update={"measures": (SHOWN.measures[0].model_copy(update={"pairs": (pair,)}),)})
+    assert answered("what is PET?", shown).endswith("post-encroachment time 0.8 s.")
+
+
 @pytest.mark.parametrize(
     ("question", "words"),
     [("why did the cyclist not stop?", "O1 (cyclist): stop. Required: stop; the run: not seen; instead: enter road.\n"

@@ -56,6 +56,12 @@ def test_turns_edits_undo_and_redo(c2s, tmp_path):
     assert len(state(c2s, "--remove", "O1")["structure"]) == 4
 
 
+def test_a_refused_change_ends_with_why_it_was_refused(c2s):
+    c2s("edit", "one", "--new", "--say", "car")
+    said = c2s("edit", "one", "--say", "refuse this", code=2)
+    assert said.rstrip().endswith("heard refuse this") and said.count("heard") == 2
+
+
 def test_one_goes_to_a_turn_by_its_number(c2s):
     for text in ("car", "truck", "bus"):
         c2s("edit", "one", "--new", "--say", text)

@@ -54,9 +54,13 @@ def _entry(code: str, data: dict[str, Any]) -> Entry:
     )
 
 
+_COMMENT = re.compile(r"""('[^']*'|"[^"]*")|#.*""")
+
+
 def find(kinds: list[str], text: str, line: str, raised: str = "") -> tuple[Entry, dict[str, str]] | None:
     """The first entry that an exception (its class names, its text, the source line, the function that raised it)
-    belongs to."""
+    belongs to; a comment on the line does not count."""
+    line = _COMMENT.sub(lambda m: m[1] or "", line)
     for entry in entries().values():
         if not entry.types or not set(entry.types) & set(kinds) or entry.raised not in ("", raised):
             continue

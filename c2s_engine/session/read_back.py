@@ -15,8 +15,8 @@ from c2s_engine.structure.regenerate import key_of
 from c2s_engine.structure.sentences import retold, with_sentence
 from c2s_engine.write import by_hand
 from c2s_engine.write.in_place import Change, at, changes, data, put, same
-from c2s_engine.write.inverted import as_field
-from c2s_engine.write.merged import Upon, without_numbers
+from c2s_engine.write.inverted import as_constant, as_field
+from c2s_engine.write.merged import Upon, constants, without_numbers
 from c2s_engine.write.typed.writer import TypedWriter
 
 
@@ -26,13 +26,20 @@ async def read_back(
     """S after edits of code by hand, in step with that code as far as it can be read."""
     edited = [c.id for c in after.components if c.id in before and _by_hand(before, after, c.id)]
     told: list[tuple[ComponentId, Change]] = []
+    unread: dict[ComponentId, dict[str, str]] = {}
     for cid in [c for c in edited if before[c].origin in ("rendered", "by_hand") and after[c].code]:
-        old = without_numbers(before[cid].code, after[cid].code)
-        fields = _numbers_read(before, after, cid, old, writer)
+        base = _base(before, cid, writer)
+        was = base if constants(base).keys() - constants(before[cid].code).keys() else before[cid].code
+        old = without_numbers(was, after[cid].code)
+        unread[cid] = _renumbered(base, was, after[cid].code)
+        fields = _numbers_read(after, cid, old, base, writer) if base else None
+        read = fields is not None
+        if fields is None and unread[cid]:
+            fields = as_constant(after, cid, writer, base)
         if fields is not None:
             found = changes(data(after[cid]), data(fields[cid]))
             told += [(cid, change) for change in found]
-            plain = before[cid].origin == "rendered" and old == before[cid].code
+            plain = read and before[cid].origin == "rendered" and old == before[cid].code
             fields = _not_assumed(fields, cid, {change.name for change in found})
             after = _rendered(before, fields, cid, writer) if plain else _in_step(before, fields, cid)
             edited.remove(cid)
@@ -41,19 +48,35 @@ async def read_back(
         told += more
     for cid, change in told:
         emit(Say(text=f"{cid}, read from the code: {field_words(change.name)} is {_shown(change)}."))
+    for cid, numbers in unread.items():
+        if numbers and cid not in {c for c, _ in told}:
+            which = ", ".join(f"{name} = {value}" for name, value in numbers.items())
+            said = after[cid].description
+            emit(Say(text=f"{cid}: {which} was not read from the code; S still says: {said}"))
     return after
 
 
-def _numbers_read(
-    before: Structure, after: Structure, cid: ComponentId, old: str, writer: TypedWriter
-) -> Structure | None:
-    """S with the fields that numbers changed by hand stand for, `old` being the code without these changes; None where
-    there are none or no field does."""
-    if after[cid].code.strip() == old.strip():
-        return None
+def _base(before: Structure, cid: ComponentId, writer: TypedWriter) -> str:
+    """What the writer wrote, or would have written, before the edit; empty where it cannot say."""
     try:
-        base = before[cid].code if before[cid].origin == "rendered" else writer.write(before, cid).code
+        return before[cid].code if before[cid].origin == "rendered" else writer.write(before, cid).code
     except ValueError:
+        return ""
+
+
+def _renumbered(base: str, was: str, code: str) -> dict[str, str]:
+    """The constants of the writer's own that an edit of the code `was` gave other numbers, and these numbers."""
+    before, ours = constants(was), constants(base)
+    found = constants(code).items()
+    return {name: n for name, n in found if name in ours and name in before and float(n) != float(before[name])}
+
+
+def _numbers_read(
+    after: Structure, cid: ComponentId, old: str, base: str, writer: TypedWriter
+) -> Structure | None:
+    """S with the fields that numbers changed by hand stand for, `old` being the code without these changes, `base` that
+    of the writer; None where there are none or no field does."""
+    if after[cid].code.strip() == old.strip():
         return None
     return as_field(after, cid, Upon(writer, base, old))
 

@@ -1,6 +1,7 @@
 """Which fields of a component, with other values, make the writer write what somebody changed in its code."""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Any
 
 from pydantic import ValidationError
@@ -8,15 +9,16 @@ from pydantic import ValidationError
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.structure.quantity import ends
+from c2s_engine.structure.regenerate import FragmentWriter
 from c2s_engine.write.in_place import data, put
-from c2s_engine.write.merged import TOKEN, Upon
+from c2s_engine.write.merged import TOKEN, Upon, constants
 
 MOST = 3
 """Numbers that may be changed at once."""
 _UNITS = (1.0, 3.6, 1 / 3.6)
 
 
-def as_field(structure: Structure, cid: ComponentId, writer: Upon) -> Structure | None:
+def as_field(structure: Structure, cid: ComponentId, writer: "Upon | _Constants") -> Structure | None:
     """The structure (whose component has the new code) with the fields for which the writer writes that code; None
     where it is not by numbers alone that the code differs from the writer's `own`, or where no fields give it."""
     wanted = structure[cid].code.strip()
@@ -32,9 +34,41 @@ def as_field(structure: Structure, cid: ComponentId, writer: Upon) -> Structure 
     return structure
 
 
+def as_constant(structure: Structure, cid: ComponentId, writer: FragmentWriter, base: str) -> Structure | None:
+    """The structure with the fields for which the writer defines the constants of its own, `base`, by the numbers that
+    they have in the component's code now; what else it would then write otherwise does not count. None where no fields
+    give them, or where none was changed."""
+    known = constants(base)
+    own = {name: value for name, value in constants(structure[cid].code).items() if name in known}
+    found = _Constants(writer, frozenset(own), _defined({name: known[name] for name in own}))
+    trial = structure.with_component(structure[cid].model_copy(update={"code": _defined(own)}))
+    fields = as_field(trial, cid, found)
+    if fields is None:
+        return None
+    return fields.with_component(fields[cid].model_copy(update={"code": structure[cid].code}))
+
+
+@dataclass(frozen=True)
+class _Constants:
+    """What a writer writes of some constants; `own`, which it wrote before."""
+
+    writer: FragmentWriter
+    names: frozenset[str]
+    own: str
+
+    def write(self, structure: Structure, cid: ComponentId) -> Component:
+        written = self.writer.write(structure, cid)
+        found = {name: value for name, value in constants(written.code).items() if name in self.names}
+        return written.model_copy(update={"code": _defined(found)})
+
+
+def _defined(found: dict[str, str]) -> str:
+    return "\n".join(f"{name} = {found[name]}" for name in sorted(found))
+
+
 def _nearer(
     structure: Structure, cid: ComponentId, differing: list[tuple[str, str]], wanted: str, left: int,
-    writer: Upon,
+    writer: Upon | _Constants,
 ) -> tuple[Structure, int] | None:  # fmt: skip
     """The structure with one more field changed, after which fewer numbers differ, and how many."""
     fields, tried = data(structure[cid]), set()

@@ -9,6 +9,7 @@ from c2s_engine.structure.program import parted
 from c2s_engine.structure.regenerate import FragmentWriter
 
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
+_CONSTANT = re.compile(r"(\w+) *= *(\d+(?:\.\d+)?)")
 _COMMENT = re.compile(r"""('[^']*'|"[^"]*")|#.*""")
 TOKEN = re.compile(r"\d+(?:\.\d+)?|\w+|\n[^\S\n]*|[^\S\n]+|.")
 """The words, numbers, signs and gaps of code: joined they are the code."""
@@ -69,6 +70,12 @@ def without_numbers(base: str, own: str) -> str:
                     code + _commented(mine[at])[1]  # fmt: skip
                 j1 = at + 1
     return "\n".join(mine)
+
+
+def constants(code: str) -> dict[str, str]:
+    """The constants that code defines by a number alone, and these numbers as they stand there."""
+    found = (_CONSTANT.fullmatch(_commented(line)[0]) for line in code.split("\n"))
+    return {line[1]: line[2] for line in found if line}
 
 
 def _commented(line: str) -> tuple[str, str]:

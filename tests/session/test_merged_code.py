@@ -116,3 +116,37 @@ async def test_code_that_was_kept_against_its_fields_says_so(session):
 )  # fmt: skip
 def test_what_was_read_is_told_in_words(value, words):
     assert plain("require", value) == words
+
+
+FOLLOWING = "Ego follows a car at 60 km/h on a straight road. The car brakes hard and ego stops behind it."
+
+
+async def test_a_constant_that_the_writer_uses_once_is_read_into_s(session):
+    """The writer would follow at the speed of the car: other code than ego's constant gives."""
+    await done(session.say(FOLLOWING, map=None, run=False))
+    told = await by_hand(session, "E", ("EGO_SPEED = 16.67", "EGO_SPEED = 13.89"))
+    ego = session.structure["E"]
+    assert "E, read from the code: speed is 50 km/h." in told and ego.spec.speed == pytest.approx(13.89)
+    assert "50 km/h" in ego.description and ego.description in ego.code and not ego.conflict
+    await done(session.say("ego should be 10 km/h slower", run=False))
+    ego = session.structure["E"]
+    assert "40 km/h" in ego.description and "EGO_SPEED = 11.1" in ego.code and not ego.conflict
+
+
+async def test_a_constant_that_no_field_gives_is_named_as_not_read(session):
+    told = await by_hand(session, "E", ("EGO_SPEED = 8.33", "EGO_SPEED = 8000"))
+    assert "E: EGO_SPEED = 8000 was not read from the code; S still says: Ego, a car, drives at 30 km/h" in told
+    assert session.structure["E"].spec.speed == pytest.approx(8.33, abs=0.01)
+
+
+async def test_a_number_is_read_into_s_after_an_edit_that_did_not_parse(session):
+    code = session.structure["E"].code
+    broken = code.replace("EGO_SPEED = 8.33", "EGO_SPEED =# my note: 20 km/h")
+    async for _ in session.apply(SetCode(component="E", code=broken), run=False):
+        pass
+    mine = "EGO_SPEED = 5.0  # my note: 20 km/h"
+    fixed = code.replace("EGO_SPEED = 8.33  # m/s", f"{mine}\nMY_MARGIN = 2.0  # m, mine")
+    told = await done(session.apply(SetCode(component="E", code=fixed), run=False))
+    ego = session.structure["E"]
+    assert "E, read from the code: speed is 18 km/h." in told and ego.spec.speed == pytest.approx(5.0)
+    assert mine in ego.code and "18 km/h" in ego.description

@@ -89,7 +89,7 @@ def begun(desk: Desk) -> Desk:
     """A turn begins: what the last one measured stays until this one measures anew."""
     return replace(
         desk, before=desk.program.text, rewritten=(), running=None, stale=True, prompt_tokens=0, answer_tokens=0,
-        seconds=0.0, states={}, required_before=desk.requirements,
+        seconds=0.0, states={}, required_before=desk.requirements or desk.required_before,
     )  # fmt: skip
 
 

@@ -1,6 +1,7 @@
 """Turns and edits: one at a time, shown as they come, cancelled without a trace."""
 
 import asyncio
+import contextlib
 import re
 from collections.abc import AsyncIterator, Callable, Sequence
 from contextlib import aclosing
@@ -60,7 +61,7 @@ class Turns(Part):
         async with self.lock:
             self.working, self.since = label, monotonic()
             self.count += 1
-            before, said = self.desk.structure, self.said
+            before, said, session = self.desk.structure, self.said, self.bench.session
             self.desk = desks.begun(self.desk)
             if self.waiting:
                 self.desk = desks.expected(self.desk, self._optimistic(self.waiting))
@@ -78,6 +79,8 @@ class Turns(Part):
                 await self.chat.note(sentence(error), "error")
             finally:
                 self.working = self.said = ""
+                if said and not finished and session is not None and session is self.bench.session:
+                    session.drop_pending()  # of a turn that never began: one that began has its end
                 if not finished:
                     self.desk = desks.broken_off(self.desk, self.session)
                 else:
@@ -160,8 +163,10 @@ class Turns(Part):
         if self.busy or not await self.may_begin():
             self._put_back(text)
             return
+        options, hand, session = self.options(), self.bench.code.hand_edit, self.session
+        with contextlib.suppress(OSError):  # the turn says it
+            await asyncio.to_thread(partial(session.note_sent, text, **options))
         await self.chat.user(text)
-        options, hand = self.options(), self.bench.code.hand_edit
         self.long = len(text) if len(text) > LONG else 0
         self.waiting, self.said = (), text
         self.turn(lambda: self._after(hand, self.session.say(text, **options)), "reading", hand)

@@ -17,7 +17,9 @@ from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.reading.english import is_english
 from c2s_engine.interpret.reading.spelling import Mended
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import AddObject, Edit
+from c2s_engine.structure.edits import AddObject, Edit, SetField
+from c2s_engine.structure.quantity import ends, in_words
+from c2s_engine.structure.specs import ObjectSpec
 
 TurnKind = Literal["question", "edit", "scenario", "undo", "redo"]
 
@@ -149,7 +151,21 @@ def _same_specs(one: Structure, other: Structure) -> bool:
 def _in_words(edits: list[Edit], said: list[str], structure: Structure) -> str:
     """What edits do, and what they take away."""
     gone = removed(structure, edits)
-    return "; ".join([*said, gone] if gone else said)
+    return "; ".join([*said, *_gaps_before(edits, said, structure), *([gone] if gone else [])])
+
+
+def _gaps_before(edits: list[Edit], said: list[str], structure: Structure) -> list[str]:
+    """Of gaps at the start that S says otherwise so far: that it is these that change, and what they were."""
+    if any(" -> " in words for words in said):
+        return []
+    told = []
+    for edit in edits:
+        spec = structure[edit.component].spec if isinstance(edit, SetField) and edit.component in structure else None
+        if isinstance(spec, ObjectSpec) and isinstance(edit, SetField) and edit.path == "placement.gap":
+            was = spec.placement.gap
+            if was is not None and edit.value is not None and ends(was) != ends(edit.value):
+                told.append(f"that is the gap at the start of {edit.component}, which was {in_words('gap', was)}")
+    return told
 
 
 def _not_understood(text: str, why: str = "") -> str:

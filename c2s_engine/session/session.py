@@ -204,6 +204,12 @@ class Session:
             raise SessionError("no turn was interrupted")
         return self._turn(lambda: turn)
 
+    def note_sent(self, text: str, **options: Any) -> None:
+        """Have on the disk, when this returns, what was sent and is about to be a turn: a crash before that begins
+        loses nothing. `drop_pending` takes it back. From any thread, while no turn runs."""
+        if not self._running and not self._lock.closed:
+            self._journal.begin("say", text, options=options)
+
     def drop_pending(self) -> None:
         """Forget the turn that a crash interrupted."""
         if turn := self.pending:

@@ -51,6 +51,11 @@ def test_a_change_touches_only_what_was_meant(
     assert found == value
 
 
+def test_a_gap_is_told_by_which_it_is_and_what_it_was(scene: Structure) -> None:
+    turn = route("set the gap to 40 m", scene)
+    assert turn.reply == "O1 (lead): gap 40 m; that is the gap at the start of O1, which was 30 m"
+
+
 def test_adding(scene: Structure) -> None:
     now = after(route("add a parked van on the right, 20 m ahead", scene), scene)
     assert (

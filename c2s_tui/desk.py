@@ -90,12 +90,8 @@ def begun(desk: Desk) -> Desk:
     """A turn begins: what the last one measured stays until this one measures anew."""
     return replace(
         desk, before=desk.program.text, rewritten=(), running=None, stale=True, prompt_tokens=0, answer_tokens=0,
-<<<<<<< HEAD
-        seconds=0.0, states={}, required_before=desk.requirements,
-        text_before=desk.structure.text,
-=======
         seconds=0.0, states={}, required_before=desk.requirements or desk.required_before,
->>>>>>> 62f5fb49900736e2f034a7d071a8f39ba8857be2
+        text_before=desk.structure.text,
     )  # fmt: skip
 
 

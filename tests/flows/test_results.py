@@ -197,12 +197,9 @@ def test_requirements_that_are_no_longer_made_are_told():
     assert "1 of 1 requirements met (1 fewer of E, 1 fewer of O1 than before; of O1, by hand, only what is" in said
     more = replace(desk, required_before=(), requirements=asked("O1", "E"))
     assert "fewer" not in summary(more)[0]
-<<<<<<< HEAD
     assert "fewer" not in summary(replace(desk, text_before="Another description."))[0]
-=======
     failed = replace(begun(replace(desk, requirements=before)), requirements=())  # its program did not parse
     assert "1 fewer of E" in summary(replace(begun(failed), requirements=asked("O1"), stale=False))[0]
->>>>>>> 62f5fb49900736e2f034a7d071a8f39ba8857be2
 
 
 async def test_f6_brings_results_that_are_behind_another_pane(stage):

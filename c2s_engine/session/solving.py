@@ -46,7 +46,7 @@ class Trials:
         self.state, self.tools = state, tools
         self.writer = TypedWriter(map_choice(tools.library, tools.library.find(state["map_name"])), room=state["room"])
         self.seen: list[tuple[Structure, Judged]] = []
-        if tools.seen is not None and tools.seen[0] == state["program"]["text"]:
+        if tools.seen is not None and tools.seen[0] == state.get("program", {}).get("text"):
             self.seen.append((Structure.model_validate(state["structure"]), tools.seen[1]))
 
     async def foreseen(self, structure: Structure) -> Outcome | None:

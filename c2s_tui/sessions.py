@@ -52,13 +52,11 @@ class Sessions(Part):
         """Open a session and show where it was left, with what was typed and not sent."""
         if self.bench.session is not None:
             self.bench.drafts.save(now=True)
-        self.bench.say_opening(name)
         try:
             session = await self._opened(name)
         except Exception as error:
             await self.chat.note(f"The session {name} could not be opened: {sentence(error)}", "error")
             if self.bench.session is not None:
-                self.bench.say_opening("")
                 return
             session = await self.backend.open(f"{name}-2")
         changed = self.bench.session is not session

@@ -25,11 +25,9 @@ class Start(Part):
     @background("begin", exclusive=False)
     async def begin(self) -> None:
         """Make the engine, open the session that is asked for (else the last, else the example), start the checks."""
-        self.bench.say_opening(self.wanted or self.app.prefs.session or "")
         try:
             await self.backend.load()
         except Exception as error:
-            self.bench.say_opening("")
             await self.chat.note(sentence(error), "error")
             await self.bench.turns.say_early(opened=False)
             return

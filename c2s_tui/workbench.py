@@ -138,13 +138,6 @@ class Workbench(Screen):
         self.set_interval(WATCH_SECONDS, self.files.watch_file)
         self.set_interval(1.0, self._tick)
 
-    def say_opening(self, name: str) -> None:
-        """In the panes, which session is being opened; no name: none is."""
-        words = f"opening {name}" if name else ""
-        self.chat.border_subtitle = words or (self.session.name if self.session is not None else "")
-        self.sheet.border_subtitle = words
-        self.code.say_opening(words)
-
     def take_session(self, session: "Session") -> None:
         """Lay an opened session on the desk."""
         self.session = session
@@ -152,7 +145,7 @@ class Workbench(Screen):
         self.desk = desks.opened(session.structure, session.program)
         self.code.empty()
         self.desk = desks.restored(self.desk, session)
-        self.say_opening("")
+        self.chat.border_subtitle = session.name
         self.show()
 
     # Drawing.

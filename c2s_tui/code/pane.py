@@ -41,7 +41,7 @@ class CodePane(Vertical):
         self._shown_text = ""  # that program as the text area has it: line ends of one kind
         self._handed: str | None = None  # the text that the turn under way has taken, until it writes a program
         self._live: tuple[str, tuple[Diagnostic, ...]] | None = None  # found while typing, in that text
-        self._subtitle = self._opening = ""
+        self._subtitle = ""
         self._begins = False  # a program has come and was not shown yet
         self._shown = Content("")
 
@@ -117,11 +117,6 @@ class CodePane(Vertical):
         self.side.show(here=None)
         self._draw()
 
-    def say_opening(self, words: str) -> None:
-        """That another session is being opened; empty: none is."""
-        self._opening = words
-        self._entitle(words)
-
     def show_findings(self, diagnostics: tuple[Diagnostic, ...]) -> None:
         """Findings of a check of the text as it is being typed."""
         self._live = self.area.text, diagnostics
@@ -141,7 +136,7 @@ class CodePane(Vertical):
             top=round(self.area.scroll_y), spans=moved_spans(self.base, self.area.text), changed=changed,
             problems=dict(self.area.problems), rows=self.area.shown,
         )  # fmt: skip
-        self._entitle("edited: F5 applies the changes" if self.edited else self._opening)
+        self._entitle("edited: F5 applies the changes" if self.edited else "")
         self._show_finding()
 
     def _entitle(self, words: str) -> None:

@@ -264,22 +264,6 @@ async def test_what_could_not_be_sent_is_not_sent_with_what_is_typed_next(stage)
         await stage.idle(pilot)
 
 
-async def test_the_panes_say_which_session_is_being_opened(stage, monkeypatch):
-    async with stage.described() as pilot:
-        opened, seen = stage.bench.backend.open, []
-
-        async def slow(name):
-            panes = stage.bench.chat, stage.bench.sheet, stage.bench.code
-            seen.extend(str(pane.border_subtitle) for pane in panes)
-            return await opened(name)
-
-        monkeypatch.setattr(stage.bench.backend, "open", slow)
-        await stage.bench.run_command("new", "evening")
-        await stage.until(pilot, lambda: stage.bench.session.name == "evening")
-        assert seen == ["opening evening"] * 3 and stage.bench.chat.border_subtitle == "evening"
-        assert not stage.bench.sheet.border_subtitle and not stage.bench.code.border_subtitle
-
-
 async def test_page_up_in_the_line_scrolls_the_chat(stage):
     async with stage.described(size=(80, 24)) as pilot:
         chat = stage.bench.chat

@@ -271,10 +271,10 @@ class Engine:
     ) -> "Judged":
         """What S requires, what the report's runs (with trajectories) showed of it, and their measures; nothing where
         nothing ran. Without a structure only the measures."""
-        from c2s_engine.session.requiring import Judged, judged, measures_of
+        from c2s_engine.session.requiring import Judged, judged, runs_of
 
         if structure is None:
-            return Judged(measures=measures_of(report))
+            return Judged(runs=tuple(runs_of(report)))
 
         chosen = self.library.named_in(structure.settings.code) or self.library.find(SHIPPED)
         return await judged(structure, report, self.tools, map_name=chosen.name, seed=seed)

@@ -9,6 +9,7 @@ from typing import Any
 import yaml
 
 from c2s_engine.structure.diagnostics import Diagnostic, TextEdit
+from c2s_engine.structure.program import without_comment
 
 
 @dataclass(frozen=True)
@@ -54,13 +55,10 @@ def _entry(code: str, data: dict[str, Any]) -> Entry:
     )
 
 
-_COMMENT = re.compile(r"""('[^']*'|"[^"]*")|#.*""")
-
-
 def find(kinds: list[str], text: str, line: str, raised: str = "") -> tuple[Entry, dict[str, str]] | None:
     """The first entry that an exception (its class names, its text, the source line, the function that raised it)
     belongs to; a comment on the line does not count."""
-    line = _COMMENT.sub(lambda m: m[1] or "", line)
+    line = without_comment(line)
     for entry in entries().values():
         if not entry.types or not set(entry.types) & set(kinds) or entry.raised not in ("", raised):
             continue

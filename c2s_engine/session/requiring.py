@@ -3,6 +3,7 @@
 import asyncio
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from c2s_engine.check.protocol import CheckReport, Upto
@@ -29,10 +30,16 @@ class Judged:
 
     requirements: tuple[Requirement, ...] = ()
     results: tuple[Result, ...] = ()
-    measures: tuple[Measures, ...] = ()  # one a run that has tracks
     whole: float = 0.0
     runs: tuple[Run, ...] = ()
     without: tuple[Run, ...] = ()  # the same without ego's reaction, where S says a conflict
+
+    @cached_property
+    def measures(self) -> tuple[Measures, ...]:
+        """Those of each run that has tracks, made when they are asked for: the search's trials need none."""
+        from c2s_engine.require.measured import measured
+
+        return tuple(measured(run.facts, run.trajectories) for run in self.runs if run.trajectories.tracks)
 
     def as_state(self) -> dict[str, Any]:
         """As plain data for the graph's state."""
@@ -86,18 +93,7 @@ def by_its_runs(structure: Structure, runs: Sequence[Run], without: Sequence[Run
         for k, run in enumerate(runs)
     ]
     share = sum(map(whole, columns)) / len(columns)
-    return Judged(requirements, majority(columns), _measures(runs), share, tuple(runs), tuple(without))
-
-
-def measures_of(report: CheckReport) -> tuple[Measures, ...]:
-    """The measures of each run that has tracks."""
-    return _measures(runs_of(report))
-
-
-def _measures(runs: Sequence[Run]) -> tuple[Measures, ...]:
-    from c2s_engine.require.measured import measured
-
-    return tuple(measured(run.facts, run.trajectories) for run in runs if run.trajectories.tracks)
+    return Judged(requirements, majority(columns), share, tuple(runs), tuple(without))
 
 
 async def _without_reaction(structure: Structure, tools: Tools, *, map_name: str, room: float, seed: int,

@@ -10,7 +10,7 @@ from c2s_engine.session.steps import Emit, Tools
 from c2s_engine.session.trying import Tried
 from c2s_engine.solve import Outcome, solve, widened
 from c2s_engine.solve.search import MOST
-from c2s_engine.solve.shortened import cut, shorter
+from c2s_engine.solve.shortened import ended_earlier
 from c2s_engine.solve.widening import RUNS
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import RunFacts
@@ -52,10 +52,9 @@ class Trials:
     async def foreseen(self, structure: Structure) -> Outcome | None:
         """What it comes to; where it only ends earlier than what ran, what that shows by then: nothing is kept."""
         for other, found in self.seen:
-            if seconds := shorter(structure, other):
-                ways, without = [cut(run, seconds) for run in found.runs], found.without
-                cut_short = by_its_runs(structure, ways, without)
-                return Outcome(structure, cut_short.requirements, cut_short.results)
+            if runs := ended_earlier(structure, other, found.runs):
+                by_then = by_its_runs(structure, runs, found.without)
+                return Outcome(structure, by_then.requirements, by_then.results)
         return await self.run(structure)
 
     async def run(self, structure: Structure, runs: int = 1) -> Outcome | None:

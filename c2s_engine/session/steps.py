@@ -52,13 +52,7 @@ def timed(name: Any, started: float, diagnostics: tuple[Diagnostic, ...] = ()) -
 
 
 async def configure(
-    structure: Structure,
-    tools: Tools,
-    emit: Emit,
-    *,
-    given: str | None,
-    needed: bool = True,
-    lenient: bool = False,
+    structure: Structure, tools: Tools, emit: Emit, *, given: str | None, needed: bool = True, lenient: bool = False,
     strict: bool = False,
 ) -> tuple[Structure, Resolution, StageResult]:
     """Choose the map and resolve the place on it; what was chosen for want of words goes to G's `assumed`.

@@ -1,26 +1,27 @@
 """What a run would have shown by an earlier end: the same run, cut. It tells which length is worth a run of its own."""
 
+from collections.abc import Sequence
+
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import Course, RunFacts, Track, Trajectories
 from c2s_engine.structure.requirements import Run
 from c2s_engine.structure.specs import RestrictionsSpec
 
 
-def shorter(structure: Structure, other: Structure) -> float | None:
-    """The s after which `structure` ends where that is all that sets it apart from `other`; else None."""
+def ended_earlier(structure: Structure, other: Structure, runs: Sequence[Run]) -> list[Run]:
+    """What runs of `other` show of `structure`, where all that sets it apart is that it ends while they go on; else
+    nothing."""
     spec, was = structure.restrictions.spec, other.restrictions.spec
     if not isinstance(spec, RestrictionsSpec) or not isinstance(was, RestrictionsSpec) or spec.duration is None:
-        return None
+        return []
     same = spec.model_copy(update={"duration": was.duration}) == was
     rest = [c.spec for c in structure.components if c.id != "T"] == [c.spec for c in other.components if c.id != "T"]
-    return float(spec.duration) if same and rest and isinstance(spec.duration, int | float) else None
+    earlier = all(spec.duration <= run.facts.duration for run in runs)
+    return [_cut(run, spec.duration) for run in runs] if same and rest and earlier else []
 
 
-def cut(run: Run, seconds: float) -> Run:
-    """The run up to `seconds`; itself where it ended by then."""
+def _cut(run: Run, seconds: float) -> Run:
     facts = run.facts
-    if facts.duration <= seconds:
-        return run
     objects = tuple(
         o.model_copy(update={"events": tuple(e for e in o.events if e.time <= seconds)}) for o in facts.objects
     )

@@ -1,11 +1,19 @@
 """The assembled program and the map from its lines back to the components."""
 
 import io
+import re
 
 from pydantic import BaseModel, ConfigDict
 
 from c2s_engine.structure import layout
 from c2s_engine.structure.components import Component, ComponentId, Structure
+
+_COMMENT = re.compile(r"""('[^']*'|"[^"]*")|#.*""")
+
+
+def without_comment(line: str) -> str:
+    """A line of code without the comment behind it; a sign within a string begins none."""
+    return _COMMENT.sub(lambda m: m[1] or "", line)
 
 
 def border(component: Component) -> str:

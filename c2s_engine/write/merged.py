@@ -5,12 +5,11 @@ from dataclasses import dataclass
 from difflib import SequenceMatcher
 
 from c2s_engine.structure.components import Component, ComponentId, Structure
-from c2s_engine.structure.program import parted
+from c2s_engine.structure.program import parted, without_comment
 from c2s_engine.structure.regenerate import FragmentWriter
 
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 _CONSTANT = re.compile(r"(\w+) *= *(\d+(?:\.\d+)?)")
-_COMMENT = re.compile(r"""('[^']*'|"[^"]*")|#.*""")
 TOKEN = re.compile(r"\d+(?:\.\d+)?|\w+|\n[^\S\n]*|[^\S\n]+|.")
 """The words, numbers, signs and gaps of code: joined they are the code."""
 
@@ -80,7 +79,7 @@ def constants(code: str) -> dict[str, str]:
 
 def _commented(line: str) -> tuple[str, str]:
     """A line of code and the comment behind it, with the gap before that."""
-    code = _COMMENT.sub(lambda m: m[1] or "", line).rstrip()
+    code = without_comment(line).rstrip()
     return code, line[len(code) :]
 
 
@@ -91,7 +90,7 @@ def alike(code: str, other: str) -> bool:
 
 
 def _plain(code: str) -> str:
-    lines = (_COMMENT.sub(lambda m: m[1] or "", line).rstrip() for line in code.split("\n"))
+    lines = (without_comment(line).rstrip() for line in code.split("\n"))
     return "\n".join(line for line in lines if line)
 
 

@@ -579,8 +579,8 @@ behavior BrakeFor(points, threats, least=1, release=0, stands=None):
     on it keeps behind those that drive ahead of it."""
     enough, slow = (release, math.inf) if stands is None else (stands, 0.2)
     eased = 0.6 * self.speed
-    hardest = lambda: 9 if self.speed > 2 else 4
-    rate = lambda: max(least if self.speed > eased else min(least, 1), min(hardest(), 1.1 * _force(self, threats)))
+    rate = lambda: max(least if self.speed > eased else min(least, 1),
+                       min(9 if self.speed > 2 else 4, 1.1 * _force(self, threats)))
     do Drive(points, 0, rate=rate) until self.speed < slow and _force(self, threats) <= enough
     self.braked_for = threats
 
@@ -1268,7 +1268,7 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
         if {None: True, 3: junction.is3Way, 4: junction.is4Way}[arms]:
             found += [m for m in junction.maneuvers if turn in (None, m.type)
                       and (control not in ('stop', 'yield') or facts.sign(m.startLane, junction) == control)
-                      and crosswalk in (None, facts.crosswalk_on(m.startLane) is not None)]
+                      and (crosswalk is None or crosswalk == (facts.crosswalk_on(m.startLane) is not None))]
     found = [m for m in found if all(any(o.type is way for o in m.startLane.maneuvers) for way in also)]
     minor = control is None and any(other.sign and other.side != 'opposite' for other in others)
     if minor:  # whom others have to give way to has no sign itself
@@ -1490,6 +1490,7 @@ class MapFacts(object):
     def __init__(self, path, network):
         root = ElementTree.parse(path).getroot()
         self.limits, self.signs, self.crosswalks, self.between_junctions = {}, {}, [], []
+        self.on_lanes = {}
         self.motorways, self.on_ramps, self.off_ramps = set(), set(), set()
         self.intersections, self.roundabouts = set(), set()
         self._read_signs(root)
@@ -1517,11 +1518,15 @@ class MapFacts(object):
     def crosswalk_on(self, lane):
         """How far along a lane, or straight on beyond it, (m) the middle of the crosswalk at its end lies; None: there is
         none."""
-        last, length = lane.centerline.pointAlongBy(lane.centerline.length - 1), lane.centerline.length
-        end = lane.centerline[-1]
-        way = shapely.geometry.LineString([*[(p.x, p.y) for p in lane.centerline], (13 * end.x - 12 * last.x, 13 * end.y - 12 * last.y)])
-        across = [way.intersection(outline) for outline in self.crosswalks]
-        return min([s for s in [way.project(spot.centroid) for spot in across if spot] if s > length - 14], default=None)
+        line = lane.centerline
+        if line not in self.on_lanes:  # asked at every step by who comes up to a stop line
+            end, last = line[-1], line.pointAlongBy(line.length - 1)
+            beyond = 13 * end.x - 12 * last.x, 13 * end.y - 12 * last.y
+            way = shapely.geometry.LineString([*[(p.x, p.y) for p in line], beyond])
+            across = [way.intersection(outline) for outline in self.crosswalks]
+            there = [way.project(part.centroid) for part in across if not part.is_empty]
+            self.on_lanes[line] = min([s for s in there if s > line.length - 14], default=None)
+        return self.on_lanes[line]
 
     def _read_road(self, element, road, outside):
         speed, kind = element.find('type/speed'), element.find('type')
@@ -1617,7 +1622,7 @@ def _turn(lane):
     return begin(lane).angleWith(lane.centerline[-1] - lane.centerline[-2])
 
 def _outline(element, road):
-    """The outline of a crosswalk of a road; a spot where none is drawn."""
+    """The outline of a crosswalk of a road; 2 m around its spot where none is drawn."""
     s, t, turned = (float(element.get(name) or 0) for name in ('s', 't', 'hdg'))
     line = road.centerline
     spot, onward = line.pointAlongBy(min(s, line.length)), line.pointAlongBy(min(s + 1, line.length))
@@ -1625,8 +1630,9 @@ def _outline(element, road):
     heading = math.atan2(onward.y - before.y, onward.x - before.x)
     corners = [(float(c.get('u')), float(c.get('v'))) for c in element.iter('cornerLocal')] or [(0, 0)]
     cos, sin = math.cos(heading + turned), math.sin(heading + turned)
-    return shapely.geometry.MultiPoint([(spot.x - t * math.sin(heading) + u * cos - v * sin,
-                                         spot.y + t * math.cos(heading) + u * sin + v * cos) for u, v in corners]).convex_hull
+    drawn = shapely.geometry.MultiPoint([(spot.x - t * math.sin(heading) + u * cos - v * sin,
+                                          spot.y + t * math.cos(heading) + u * sin + v * cos) for u, v in corners]).convex_hull
+    return drawn if drawn.area else drawn.buffer(2)
 
 def _rings(network):
     """The ids of junctions on a circle of one-way roads that bend to the left."""

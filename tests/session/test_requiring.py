@@ -3,7 +3,7 @@
 from c2s_engine.session import steps
 from c2s_engine.session.places import map_choice
 from c2s_engine.session.requiring import KEPT, by_its_runs, check_and_judge
-from c2s_engine.solve.shortened import cut, shorter
+from c2s_engine.solve.shortened import ended_earlier
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, RestrictionsSpec
 from c2s_engine.write.typed import TypedWriter
@@ -43,9 +43,10 @@ async def test_a_run_that_only_ends_at_another_time_has_the_same_without_reactio
         found.append((structure, judged))
     assert len(asked) == 4 and 0 < len(engine.tools.blind) <= KEPT
     (long, by_long), (short, by_short), _ = found
-    assert shorter(short, long) == 12.0 and shorter(short, long.with_spec("E", speed=13.0)) is None
-    foreseen = by_its_runs(short, [cut(run, 12.0) for run in by_long.runs], by_long.without)
-    assert foreseen.results == by_short.results
+    runs = ended_earlier(short, long, by_long.runs)
+    assert by_its_runs(short, runs, by_long.without).results == by_short.results
+    assert not ended_earlier(short, long.with_spec("E", speed=13.0), by_long.runs), "another scene"
+    assert not ended_earlier(long, short, by_short.runs), "what comes after its end is not known"
 
 
 async def test_a_program_that_does_not_compile_has_no_run_to_compare(engine):

@@ -103,7 +103,11 @@ def network():
     original = Network.fromFile.__func__
     found = networks.from_file(original)(Network, TOWN)
     compile_stream = translator.compileStream
-    Network.fromFile = classmethod(lambda cls, path, *args, **options: found)
+
+    def from_file(cls, path, *args, **options):
+        return found if Path(path).samefile(TOWN) else original(cls, path, *args, **options)
+
+    Network.fromFile = classmethod(from_file)
     library = str(Path(scenic.__file__).parent)
 
     def compile_once(stream, namespace, options, filename):

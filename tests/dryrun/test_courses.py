@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from conftest import DT
 from test_events import arm_of, ramp
 
 from c2s_engine.dryrun.events.derivation import with_courses
 from c2s_engine.dryrun.recording import Recording
+from tests.dryrun.conftest import DT
 
 STEPS = 201
 

@@ -1,6 +1,7 @@
 """How many places of a map an expression matches, and where they are."""
 
 import socket
+from types import CodeType
 from typing import Any
 
 from c2s_engine.check import confine, wire
@@ -18,7 +19,7 @@ def answer(conn: socket.socket, job: dict[str, Any], prepared: dict[str, Any]) -
     at: dict[str, list[tuple[float, float]]] = {}
     for name, expression in job["expressions"].items():
         try:
-            found = list(eval(expression, namespace))
+            found = list(eval(_compiled(expression), namespace))
             counts[name] = len(found)
             at[name] = [p for p in map(position, found[:SHOWN]) if p is not None]
             if found and job.get("first"):
@@ -28,6 +29,14 @@ def answer(conn: socket.socket, job: dict[str, Any], prepared: dict[str, Any]) -
             errors[name] = f"{type(error).__name__}: {error}"
     wire.send(conn, {"places": {"counts": counts, "errors": errors, "at": at}})
     wire.send(conn, {"end": True})
+
+
+def _compiled(expression: str) -> CodeType:
+    """An expression of Scenic's (`-90 deg` is none of Python's), compiled."""
+    from scenic.syntax.compiler import compileScenicAST
+    from scenic.syntax.parser import parse_string
+
+    return compile(compileScenicAST(parse_string(expression, "eval"))[0], "<place>", "eval")
 
 
 def position(thing: Any) -> tuple[float, float] | None:

@@ -81,7 +81,7 @@ class PlacesRequest(_Message):
     """Evaluate expressions over a map's network (the very ones that programs contain): how many, where."""
 
     map: str  # path of an .xodr
-    expressions: dict[str, str]  # name -> Python expression over `network` that gives a list
+    expressions: dict[str, str]  # name -> Scenic expression over `network` that gives a list
     first: bool = False  # whether those after the first that gives any are left out
 
 

@@ -102,11 +102,13 @@ def test_places(server: SyncCheckClient) -> None:
         "turns": "[m for i in network.intersections for m in i.maneuvers if m.type is ManeuverType.LEFT_TURN]",
         "wrong": "network.lines",
         "none": "filter(lambda l: l.uid == 'nowhere', network.lanes)",
+        "Scenic's own": "[a for a in (-90 deg, 90 deg) if a < 0]",
     }
     report = server.places(PlacesRequest(map=str(MAPS / "town.xodr"), expressions=expressions))
     assert report.counts["lanes"] > 10
     assert report.counts["turns"] > 0
     assert report.counts["none"] == 0
+    assert report.counts["Scenic's own"] == 1
     assert list(report.errors) == ["wrong"]
     assert len(report.at["lanes"]) == min(50, report.counts["lanes"])
 

@@ -24,8 +24,11 @@ from c2s_engine.dryrun.traffic import TrafficManager
 from c2s_engine.dryrun.walkers import Guide
 from c2s_engine.maps.extras import MapExtras
 
-AFTERMATH, LONGEST = 1.0, 4.0
-"""s that a run goes on after a collision at least, and at most until those in it stand."""
+AFTERMATH, APPROACH, LONGEST, ALL = 1.0, 3.5, 4.0, 10.0
+"""s that a run goes on after a collision, at least: and after anybody else has last braked; where ego is not in it and
+may come up to it; at most until those in it stand; in all."""
+BRAKES = 0.5
+"""m/s2 by which one slows down who does something about it."""
 NOTHING = Vector(0, 0, 0)
 
 
@@ -93,6 +96,8 @@ class DryRunSimulation(DrivingSimulation):
         self.contacts: Contacts | None = None
         self.acting: Any = None
         self.crashed: float | None = None
+        self.braked = 0.0
+        self.speeds: dict[int, float] = {}
         self.ended: TerminationType | None = None
         self.substeps = max(1, round(timestep / SUBSTEP))
         self.mirrors: dict[int, Mirror] = {}
@@ -179,9 +184,16 @@ class DryRunSimulation(DrivingSimulation):
     def _crash_is_over(self) -> bool:
         if self.crashed is None:
             return False
-        since = self.currentTime * self.timestep - self.crashed
-        rolls = any(a.body.dead and abs(a.body.speed) > 0.1 for a in self.world.actors if not isinstance(a, fake.Prop))
-        return since >= (LONGEST if rolls else AFTERMATH)
+        now, speeds = self.currentTime * self.timestep, self.speeds
+        bodies = {id(a): a.body for a in self.world.actors if not isinstance(a, fake.Prop)}
+        self.speeds = {key: abs(body.speed) for key, body in bodies.items()}
+        alive = (key for key, body in bodies.items() if not body.dead)
+        if any(self.speeds[key] < speeds.get(key, 0.0) - BRAKES * self.timestep for key in alive):
+            self.braked = now
+        rolls = any(body.dead and abs(body.speed) > 0.1 for body in bodies.values())
+        least = LONGEST if rolls else AFTERMATH if self.scene.egoObject.carlaActor.body.dead else APPROACH
+        since, quiet = now - self.crashed, now - max(self.crashed, self.braked)
+        return since >= ALL or quiet >= AFTERMATH and since >= least
 
     def _end(self, kind: TerminationType, reason: Any) -> tuple[TerminationType, str]:
         self.ended = kind

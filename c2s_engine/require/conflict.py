@@ -21,9 +21,10 @@ from c2s_engine.require.outcome import struck as struck_pairs
 from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.crossers import before_whom
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.requirements import Requirement, Result, Value
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, SettingsSpec, Trigger
 from c2s_engine.structure.triggers import gives_way_by
 
 THREATS = ("cut_in", "cross_road", "enter_road", "run_red", "run_stop", "oncoming", "reverse", "drift", "u_turn",
@@ -50,7 +51,7 @@ GONE_BY = ("apart", "passed", "speed", "light", "place")
 def answers(phase: Phase, structure: Structure) -> bool:
     """Whether a phase of ego is an answer to another: it names whom, waits for what that one does, or has no other
     cause (a moment, a place, a light or sign) where ego reacts."""
-    trigger, place, ego = phase.trigger, structure.place.spec, structure.ego.spec
+    trigger, ego = phase.trigger, structure.ego.spec
     assert isinstance(ego, EgoSpec)
     way = phase.action in WAYS.get(ego.reaction, ())
     if phase.action not in ANSWERS and not (way and trigger is None):
@@ -67,7 +68,14 @@ def answers(phase: Phase, structure: Structure) -> bool:
         return False
     if trigger is not None:
         return trigger.of is not None or trigger.kind in ("distance", "ttc", "action")
-    return way and not getattr(place, "control", None)
+    return way and not _told_to_stop(structure)
+
+
+def _told_to_stop(structure: Structure) -> bool:
+    """Whether a sign or a light may be why ego stops: not one that stays green for it."""
+    lights, control = structure.settings.spec, getattr(structure.place.spec, "control", None)
+    assert isinstance(lights, SettingsSpec)
+    return bool(control) and not (control == "signal" and lights.light == "green" and not lights.light_changes)
 
 
 def _landmark(structure: Structure, cid: str | None) -> bool:
@@ -182,7 +190,7 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
             return []
         elsewhere = bool(doings) and all(p.target not in (None, EGO) for p in doings)  # what it does is about others
         return [named] if spec is not None and not followed and not elsewhere else []
-    return [actor for actor, spec in scene.objects.items() if _threatens(spec)]
+    return [a for a, spec in scene.objects.items() if _threatens(spec) and before_whom(scene.structure, a) == EGO]
 
 
 def _whom(phase: Phase) -> tuple[str | None, ...]:

@@ -1,6 +1,8 @@
 """Who crosses ego's way from beside the road, on foot or riding: when they set out, how far they go."""
 
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.crossers import ANSWERS, before_whom
+from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import Quantity, high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import scope
@@ -41,8 +43,6 @@ SLOWED = 0.25
 """m/s within which it has."""
 RIDER_GAINS = 1.5
 """m/s2"""
-ANSWERS = {"brake", "stop", "wait", "yield", "swerve", "lane_change", "overtake"}
-"""What ego does of its own accord for who is in its way."""
 SHORT_OF_LANE = 2.5
 """m from the middle of ego's way to where those stand who let it pass."""
 SHORT_OF_KERB = 0.5
@@ -80,7 +80,8 @@ def constants(structure: Structure, cid: str, plan: Plan) -> list[str]:
     if later and met in due:
         due[met] = round(low(due[met]) + later, 2), round(high(due[met]) + later, 2)
     where = "at the kerb, by its way" if first and first.abandoned else "in the middle of its way, unhindered"
-    return [f"{name}_{when} = {scope.quantity(seconds)}  # s after ego {where}" for when, seconds in due.items()]
+    whom = scope.reference(structure, before_whom(structure, cid))
+    return [f"{name}_{when} = {scope.quantity(seconds)}  # s after {whom} {where}" for when, seconds in due.items()]
 
 
 def _comes_again(structure: Structure, cid: str, spec: ObjectSpec) -> Phase | None:
@@ -99,6 +100,8 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, again
     pace = max(middle(pace_of(spec)), 0.5)
     if spec.placement.arrives is not None:
         return spec.placement.arrives
+    if (other := before_whom(structure, cid)) != EGO:
+        return _before(structure, cid, other, way_out(structure, spec, plan.place) / pace)
     if _meets(structure, cid, spec) and not again:
         return round(_struck_at(structure, cid, spec, plan, pace), 2)
     at = next(i for i, p in enumerate(spec.phases) if p.action in ACROSS)
@@ -124,6 +127,20 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, again
         least, most = (round(IN_WAY / pace + clear, 2) for clear in NEAR_MISS)
         return -most, -least
     return round(-ahead - DRAWN, 2), round(0.0 - ahead, 2)
+
+
+def _before(structure: Structure, cid: str, other: str, seconds: float) -> Quantity:
+    """The same before another than ego, which it takes so many seconds to reach the way of: so that they touch, or that
+    the other can just stop."""
+    spec = structure[other].spec
+    assert isinstance(spec, ObjectSpec)
+    stops = next((p for p in spec.phases if p.action in ("brake", "stop")), None)
+    if stops is None or any(p.action == "collide" for p in (*spec.phases, *structure[cid].spec.phases)):  # type: ignore[union-attr]
+        return 0.0
+    speed = max(middle(spec.speed or 0.0), 1.0)
+    rate = middle(stops.rate) if stops.rate is not None else SLOWS
+    ahead = max(TO_STOP + speed / (2 * rate) - seconds, 0.0)
+    return round(-ahead - DRAWN, 2), round(-ahead, 2)
 
 
 def _to_slow(structure: Structure, plan: Plan) -> float:
@@ -313,7 +330,7 @@ def _ego_stays(structure: Structure, plan: Plan) -> bool:
 
 def _ego_reacts(structure: Structure) -> bool:
     ego = structure.ego.spec
-    return isinstance(ego, EgoSpec) and (ego.reaction != "none" or bool({p.action for p in ego.phases} & ANSWERS))
+    return isinstance(ego, EgoSpec) and (ego.reaction != "none" or any(p.action in ANSWERS for p in ego.phases))
 
 
 def _meets(structure: Structure, cid: str, spec: ObjectSpec) -> bool:
@@ -357,5 +374,6 @@ def _sets_out(
     when = "RETURNS" if phase is _comes_again(structure, cid, spec) else "ARRIVES"
     if phase.abandoned:
         gained += f", metres={_how_far(structure, cid, phase, None, 'self.heading')}"
-    found = f"sets_out(self, ego, line, {speed}, {scope.constant(structure, cid)}_{when}{gained})"
+    whom = scope.reference(structure, before_whom(structure, cid))
+    found = f"sets_out(self, {whom}, line, {speed}, {scope.constant(structure, cid)}_{when}{gained})"
     return f"{found} or {scope.reference(structure, cid)}.speed > 0.3" if spec.count > 1 else found

@@ -134,12 +134,14 @@ def _in_time(structure: Structure, requirement: Requirement, due: float, open_: 
         who, due = requirement.other or EGO, -due
     spec = structure[who].spec if who != EGO else None
     ahead = component_of(spec.placement.of) if isinstance(spec, ObjectSpec) else ""
+    hider = (spec.placement.hidden_by if isinstance(spec, ObjectSpec) else None) or ""
     away = usual.speeds.get("E", 0.0)
     for component, path, grows in (
         (who, "placement.later", 1.0),
         (who, "placement.gap", -_at_contact(structure, who, away) if _follows_another(spec)
          else _back(spec) * usual.speeds.get(who, 0.0)),
         (ahead, "placement.later", 1.0),  # of the queue that it is in
+        (hider, "placement.gap", -away if any(p.trigger for p in getattr(spec, "phases", ())) else 0.0),
         (who, "phases.0.trigger", 1.0),
         (who, "placement.gap", -away if usual.speeds.get(who, 0.0) and who in usual.later else 0.0),
         ("E", "phases.0.trigger", 1.0 if who != EGO and usual.speeds.get(who, 0.0) else 0.0),

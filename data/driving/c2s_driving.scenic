@@ -852,8 +852,8 @@ def clock():
     return simulation().currentTime * simulation().timestep
 
 def need(car, other):
-    """The deceleration (m/s2) that keeps `car` from reaching `other`, if both go on as they do, and at least as much as
-    one close ahead in its way slows down with; 0: no conflict, or one that crosses can still stop at its line, or the
+    """The deceleration (m/s2) that keeps `car` from reaching `other`, if both go on as they do (one close ahead that slows
+    down, to a stand), and at least as much as that one slows down with; 0: no conflict, or one that crosses can still stop at its line, or the
     very beginning, when not all have their speed yet."""
     if clock() < 0.15:
         return 0
@@ -871,6 +871,8 @@ def need(car, other):
         return 9
     braking = slowing(other) if across < 0.5 and motion.y > 0 and abs(place.x) < reach and gap < CLOSE * car.speed else 0
     least = min(braking, 5.8) if braking > 2 else 0
+    if braking > 2:  # to stop behind it where it will stand
+        least = max(least, min(9, car.speed ** 2 / (2 * max(gap - 2 + motion.y ** 2 / (2 * braking), 0.3))))
     if closing <= 0.1:
         return least
     there = place.x + motion.x * max(gap, 0) / closing

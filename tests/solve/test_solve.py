@@ -34,6 +34,23 @@ def paths(structure: Structure) -> set[str]:
     return {f"{u.component}.{u.path}" for u in unknowns(structure, usual_values(structure, 1.0))}
 
 
+def test_of_who_comes_out_from_behind_another_on_a_cue_only_where_that_one_stands_is_open():
+    hider = ObjectSpec(name="van", type="van", placement=Placement(position="parked"), speed=0.0)
+    cue = Trigger(kind="seen", subject="ego", of="O1")
+    phases = (Phase(action="wait", duration=1.0), Phase(action="cross_road", trigger=cue))
+    behind = Placement(position="roadside", hidden_by="O1")
+    runner = ObjectSpec(name="runner", type="pedestrian", placement=behind, phases=phases)
+    objects = (Component(id="O1", spec=hider), Component(id="O2", spec=runner))
+    structure = lead().model_copy(update={"objects": objects})
+    assert paths(structure) >= {"O1.placement.gap"}
+    assert not {p for p in paths(structure) if p.startswith("O2.placement")}
+    open_ = unknowns(structure, usual := usual_values(structure, 1.0))
+    threat = next(r for r in require(structure) if r.check == "threatens")
+    late = Result(requirement=threat.id, holds=False, robustness=-0.5, said="", due=1.0)
+    assert any(u.component == "O1" and value < u.value for move in moves(structure, [(threat, late)], open_, usual)
+               for u, value in move)  # fmt: skip
+
+
 def test_what_is_said_is_no_unknown():
     assert paths(lead()) == {"O1.placement.gap", "O1.speed", "O1.phases.0.trigger", "T.duration"}
     said = lead(speed=14.0, placement=Placement(gap=30.0))

@@ -25,7 +25,7 @@ from c2s_engine.write.typed.ahead import (
 )
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.lateral import LATERAL, to_line
-from c2s_engine.write.typed.tables import LENGTH, is_static, is_vehicle
+from c2s_engine.write.typed.tables import DEFAULT_SPEED, LENGTH, is_static, is_vehicle
 from c2s_engine.write.typed.usual import speed_of
 
 ALIKE = 0.4
@@ -38,7 +38,10 @@ SLOWED = 0.7
 """Of ego's speed, down to which one brakes that cut in, where ego has to brake and nothing else makes it."""
 CALM = {"keep_lane", "follow", "move_along"}
 LANES = {"ahead", "behind", "beside", "left_lane", "right_lane"}
-PLAIN = {*CALM, *LATERAL, "brake", "stop", "swerve", "drift"}
+LIGHT = ("car", "pickup", "van", "motorcycle", "police_car")
+PLAIN = {*CALM, *LATERAL, "brake", "stop", "swerve", "drift", "reverse", "lose_control", "leave_road", "turn_left",
+         "turn_right"}  # fmt: skip
+"""What one that drives along as the others do may do then."""
 
 
 def solved(structure: Structure) -> Structure:
@@ -74,8 +77,8 @@ def _at_pace(structure: Structure) -> Structure:
             continue
         if spec.placement.position == "oncoming_lane" and getattr(by, "pace", None) is not None:
             continue  # a word says how one drives, not how all do
-        if spec.placement.position == "ahead" and spec.type not in ("car", "pickup", "van", "motorcycle", "police_car"):
-            continue  # slower ones are caught up with
+        if spec.placement.position == "ahead" and spec.type not in LIGHT and {p.action for p in spec.phases} <= CALM:
+            continue  # caught up with
         structure = structure.with_spec(component.id, speed=_pace(spec, middle(speed)))
     return structure
 
@@ -104,13 +107,15 @@ def _pace_for_ego(structure: Structure, ego: EgoSpec) -> float | None:
 
 def _open_pace(spec: ObjectSpec) -> bool:
     placed = spec.placement.position in {*LANES, "oncoming_lane"} and spec.placement.facing in (None, "along")
-    plain = {p.action for p in spec.phases} <= PLAIN and (not spec.phases or spec.phases[0].speed is None)
+    others = {p.action for p in spec.phases if p.action != "collide" or p.target in (None, "ego")}
+    plain = others <= PLAIN and (not spec.phases or spec.phases[0].speed is None)
     return placed and plain and is_vehicle(spec.type) and spec.type != "bicycle" and spec.speed is None
 
 
 def _pace(spec: ObjectSpec, of: float) -> float:
     """The speed of one that drives by another at `of`: who cuts in is slower from ahead, faster from behind."""
     actions = [p.action for p in spec.phases]
+    of = of if spec.type in LIGHT else min(of, DEFAULT_SPEED["truck"]["motorway"])
     if "cut_in" not in actions or spec.placement.gap is not None or any(p.speed is not None for p in spec.phases):
         return round(of, 2)
     from_ahead = _along(spec) == "ahead"

@@ -6,10 +6,11 @@ from c2s_engine.structure.components import ComponentId, Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed.alongside import offset
+from c2s_engine.write.typed.people import ACROSS
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.spread import spread
 from c2s_engine.write.typed.tables import TIMED, is_static
-from c2s_engine.write.typed.usual import crosses, default_gap, speed_of, uses_crosswalk
+from c2s_engine.write.typed.usual import crosses, default_gap, right_behind, speed_of, uses_crosswalk
 
 
 @dataclass(frozen=True)
@@ -41,9 +42,11 @@ def usual_values(structure: Structure, room: float) -> Usual:
         speeds[component.id] = 0.0 if is_static(spec) else middle(speed_of(spec, plan.place))
         timed = spec.placement.position in TIMED or offset(spec, ego, plan.place)
         meets = timed and spec.placement.gap is None or crosses(spec)
-        if meets and not any(p.trigger for p in spec.phases[:1]):
+        begins = next((i for i, p in enumerate(spec.phases) if p.action in ACROSS), 0) if crosses(spec) else 0
+        if meets and not any(p.trigger for p in spec.phases[: begins + 1]):
             later[component.id] = middle(spec.placement.later or 0.0)
-        if spec.placement.position not in TIMED and not (plan.place.kind == "crosswalk" and uses_crosswalk(spec)):
+        elsewhere = right_behind(spec) or plan.place.kind == "crosswalk" and uses_crosswalk(spec)
+        if spec.placement.position not in TIMED and not elsewhere:
             gap = spec.placement.gap
             gaps[component.id] = middle(gap) if gap is not None else default_gap(spec, plan.ego_speed, plan.place)
     distance = None if plan.distance is None else middle(plan.distance)

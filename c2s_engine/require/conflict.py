@@ -42,6 +42,7 @@ WAYS = {"brake": ("brake", "stop", "wait"), "yield": ("brake", "stop", "wait", "
         "evade": ("swerve", "lane_change", "overtake", "oncoming", "leave_road", "brake", "stop", "wait")}  # fmt: skip
 """By reaction, what says how ego does it: a phase without a cause of its own."""
 
+SLOWS = ("brake", "stop", "wait", "yield")
 LATER = Trigger(kind="time", value=60.0)
 """After all runs."""
 GONE_BY = ("apart", "passed", "speed", "light", "place")
@@ -64,7 +65,7 @@ def answers(phase: Phase, structure: Structure) -> bool:
         return phase.gap is None and (comes or phase.clearance is None or phase.action != "stop")
     if trigger is not None and (trigger.subject not in (None, EGO) or trigger.kind in GONE_BY):
         return False  # it waits for its chance
-    if trigger is not None and _landmark(structure, trigger.of):
+    if trigger is not None and (_landmark(structure, trigger.of) or _is_chance(structure, phase)):
         return False
     if trigger is not None:
         return trigger.of is not None or trigger.kind in ("distance", "ttc", "action")
@@ -76,6 +77,15 @@ def _told_to_stop(structure: Structure) -> bool:
     lights, control = structure.settings.spec, getattr(structure.place.spec, "control", None)
     assert isinstance(lights, SettingsSpec)
     return bool(control) and not (control == "signal" and lights.light == "green" and not lights.light_changes)
+
+
+def _is_chance(structure: Structure, phase: Phase) -> bool:
+    """Whether ego goes on as another makes room for it: one that is not ahead of it slows down."""
+    trigger = phase.trigger
+    if phase.action in SLOWS or trigger is None or trigger.action not in SLOWS or trigger.of in (None, EGO):
+        return False
+    other = structure[trigger.of].spec if trigger.of in structure else None
+    return isinstance(other, ObjectSpec) and (other.placement.position == "behind" or other.placement.along == "behind")
 
 
 def _landmark(structure: Structure, cid: str | None) -> bool:

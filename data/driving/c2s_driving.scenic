@@ -1280,9 +1280,11 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
         ways = [Place(m.startLane, m) for m in found if facts.controlled(m.intersection, unregulated)]
         places = _at_junctions(ways, approach, exit, limit, lanes, others, across=across)
         if places:
-            return [place for place in places if not any(
+            places = [place for place in places if not any(
                 other.priority and facts.sign(lane, place.turn.intersection)
                 for other, lane in zip(others, place.others))] or places
+            free = [p for p in places if facts.sign(p.turn.startLane, p.turn.intersection) != 'stop']
+            return free if free and control is None else places
     return []
 
 def roundabouts(approach=0, exit=0, others=(), arms_within=100, limit=None, across=False, leaving=0, **lanes):

@@ -130,13 +130,16 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, again
 
 
 def _before(structure: Structure, cid: str, other: str, seconds: float) -> Quantity:
-    """The same before another than ego, which it takes so many seconds to reach the way of: so that they touch, or that
-    the other can just stop."""
-    spec = structure[other].spec
-    assert isinstance(spec, ObjectSpec)
+    """The same before another than ego, whose way is so many seconds off: so that they touch, that the other can just
+    stop, or that it is missed."""
+    spec, crosser = structure[other].spec, structure[cid].spec
+    assert isinstance(spec, ObjectSpec) and isinstance(crosser, ObjectSpec)
     stops = next((p for p in spec.phases if p.action in ("brake", "stop")), None)
-    if stops is None or any(p.action == "collide" for p in (*spec.phases, *structure[cid].spec.phases)):  # type: ignore[union-attr]
+    if any(p.action == "collide" for p in (*spec.phases, *crosser.phases)):
         return 0.0
+    if stops is None:
+        least, most = (round(IN_WAY / max(middle(pace_of(crosser)), 0.5) + clear, 2) for clear in NEAR_MISS)
+        return -most, -least
     speed = max(middle(spec.speed or 0.0), 1.0)
     rate = middle(stops.rate) if stops.rate is not None else SLOWS
     ahead = max(TO_STOP + speed / (2 * rate) - seconds, 0.0)

@@ -38,6 +38,8 @@ SLOWED = 0.7
 """Of ego's speed, down to which one brakes that cut in, where ego has to brake and nothing else makes it."""
 CALM = {"keep_lane", "follow", "move_along"}
 LANES = {"ahead", "behind", "beside", "left_lane", "right_lane"}
+SLOWS_BY = 2.0
+"""m/s by which one brakes at least that does so to a speed, and whose own nothing says."""
 LIGHT = ("car", "pickup", "van", "motorcycle", "police_car")
 PLAIN = {*CALM, *LATERAL, "brake", "stop", "swerve", "drift", "reverse", "lose_control", "leave_road", "turn_left",
          "turn_right"}  # fmt: skip
@@ -108,13 +110,15 @@ def _pace_for_ego(structure: Structure, ego: EgoSpec) -> float | None:
 def _open_pace(spec: ObjectSpec) -> bool:
     placed = spec.placement.position in {*LANES, "oncoming_lane"} and spec.placement.facing in (None, "along")
     others = {p.action for p in spec.phases if p.action != "collide" or p.target in (None, "ego")}
-    plain = others <= PLAIN and (not spec.phases or spec.phases[0].speed is None)
+    plain = others <= PLAIN and all(p.speed is None or p.action == "brake" for p in spec.phases[:1])
     return placed and plain and is_vehicle(spec.type) and spec.type != "bicycle" and spec.speed is None
 
 
 def _pace(spec: ObjectSpec, of: float) -> float:
     """The speed of one that drives by another at `of`: who cuts in is slower from ahead, faster from behind."""
-    actions = [p.action for p in spec.phases]
+    actions, down = [p.action for p in spec.phases], [p.speed for p in spec.phases[:1] if p.speed is not None]
+    if down and middle(down[0]) > of - SLOWS_BY:  # to which it brakes
+        return round(middle(down[0]) + SLOWS_BY, 1)
     of = of if spec.type in LIGHT else min(of, DEFAULT_SPEED["truck"]["motorway"])
     if "cut_in" not in actions or spec.placement.gap is not None or any(p.speed is not None for p in spec.phases):
         return round(of, 2)

@@ -195,12 +195,12 @@ def _before_junction(course: Course, value: float, phase: Phase) -> str:
 
 
 def _comes_over(actor: Actor) -> bool:
-    """Whether ego comes from the next lane in front of one that comes up behind it."""
+    """Whether ego comes from the next lane, not at its bidding, in front of one that comes up behind it."""
     spec, ego = actor.spec, actor.structure.ego.spec
     if not isinstance(spec, ObjectSpec) or spec.placement.along != "behind" or actor.plan.lane_of.get(actor.cid) == 0:
         return False
-    over = {"u_turn", "lane_change", "cut_in"} & {p.action for p in getattr(ego, "phases", ())}
-    return spec.placement.of == "ego" and bool(over)
+    own = (p for p in getattr(ego, "phases", ()) if p.trigger is None or p.trigger.of != actor.cid)
+    return spec.placement.of == "ego" and any(p.action in ("u_turn", "lane_change", "cut_in") for p in own)
 
 
 def _obstacle(course: Course, phase: Phase) -> str:

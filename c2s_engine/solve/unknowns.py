@@ -28,6 +28,8 @@ LIMITS = {"gap": (2.0, 400.0), "speed": (1.0, 36.0), "rate": (1.0, 9.0), "durati
 NEAR = {"distance": METRES, "ttc": SECONDS}
 """How near is near, by what a condition watches, where S does not say: m, s."""
 _UNITS = {"distance": "m", "ttc": "s"}
+HEADWAY = 0.5
+"""s behind another that drives in the same lane below which no open gap is chosen."""
 STRAYS = 0.3
 """The share of what is usual by which a speed may be higher or lower."""
 
@@ -35,16 +37,18 @@ STRAYS = 0.3
 @dataclass(frozen=True)
 class Unknown:
     """A field that is open. `value`: what is written for it now, SI units; for a trigger the s since the start;
-    `usual`: what is usual there, from which it does not stray."""
+    `usual`: what is usual there, from which it does not stray; `least`: below which it is not brought."""
 
     component: ComponentId
     path: str
     value: float
     usual: float | None = None
+    least: float = 0.0
 
     @property
     def limits(self) -> tuple[float, float]:
         least, most = LIMITS[self.path.rsplit(".", 1)[-1]]
+        least = max(least, min(self.least, self.value)) if self.least else least
         if not self.usual:
             return least, most
         low, high = (1 - STRAYS) * self.usual, (1 + STRAYS) * self.usual
@@ -152,7 +156,8 @@ def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator
                 own = _of_phase(cid, i, phase, speed, untimed, is_open)
                 yield from (u for u in own if not (by_contact and u.path.endswith("rate")))
     if isinstance(spec, ObjectSpec) and cid in usual.gaps and is_open("placement.gap", spec.placement.gap):
-        yield Unknown(cid, "placement.gap", usual.gaps[cid])
+        follows = spec.placement.position in ("ahead", "behind") and spec.placement.facing != "against"
+        yield Unknown(cid, "placement.gap", usual.gaps[cid], least=HEADWAY * usual.speeds.get(cid, 0.0) * follows)
     if isinstance(spec, ObjectSpec) and cid in usual.later and is_open("placement.later", spec.placement.later):
         yield Unknown(cid, "placement.later", usual.later[cid])
     if cid == "R" and usual.distance and is_open("distance", getattr(spec, "distance", None)):

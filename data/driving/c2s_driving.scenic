@@ -863,8 +863,9 @@ def need(car, other):
     if across < 0.5 and getattr(other, 'isVehicle', False) and not off_lane(other, 0.9):
         motion = Vector(0, motion.y)  # nobody can see yet that it is leaving its lane
     gap = place.y - (car.length + other.width * across + other.length * (1 - across)) / 2
-    reach = (car.width + other.length * across + other.width * (1 - across)) / 2 + 0.8
     closing = car.speed - motion.y
+    aside = 0.4 if other.speed < 0.3 and getattr(other, 'isVehicle', False) else 0.8  # m of room, at least
+    reach = (car.width + other.length * across + other.width * (1 - across)) / 2 + aside
     if place.y <= 0 or across > 0.5 and getattr(other, 'isVehicle', False) and could_stop(other):
         return 0
     if gap < 8 and car.speed < 2 and motion.y < 1 and abs(place.x) < reach:

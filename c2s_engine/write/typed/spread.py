@@ -14,7 +14,7 @@ from c2s_engine.write.typed.paced import paced
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.pockets import pocketed
 from c2s_engine.write.typed.reach import reached
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, is_vehicle
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static, is_vehicle, is_walker
 from c2s_engine.write.typed.usual import (
     at_corner,
     crosses,
@@ -28,6 +28,8 @@ from c2s_engine.write.typed.usual import (
 _ROW = {"partly_in_lane": "ahead", "roadside": "kerb", "sidewalk": "kerb", "parked": "kerb"}
 ROOM = 3.0
 """m between two of them."""
+AT_IT = 1.0
+"""m from a vehicle that stands to who steps out at it."""
 TO_PULL_OUT = 15.0
 """m behind whom one overtakes."""
 
@@ -108,6 +110,9 @@ def _rows(structure: Structure) -> Structure:
         if spec.placement.gap is not None:
             row.append((low(spec.placement.gap), high(spec.placement.gap) + size))
             continue
+        if _steps_out_at(structure, spec):
+            structure = structure.with_spec(component.id, placement=spec.placement.model_copy(update={"gap": AT_IT}))
+            continue
         by_marking = place.kind == "crosswalk" and uses_crosswalk(spec)  # type: ignore[union-attr]
         if spec.placement.position in APPROACH_ANGLE or by_marking or at_corner(spec, place):  # type: ignore[arg-type]
             continue
@@ -123,6 +128,13 @@ def _rows(structure: Structure) -> Structure:
                 component.model_copy(update={"spec": spec.model_copy(update={"placement": moved})})
             )
     return structure
+
+
+def _steps_out_at(structure: Structure, spec: ObjectSpec) -> bool:
+    """Whether somebody on foot beside the road is placed by a vehicle that stands, nobody says how far from it."""
+    by = structure[spec.placement.of].spec if spec.placement.of in structure else None
+    stands = isinstance(by, ObjectSpec) and is_vehicle(by.type) and is_static(by)
+    return stands and is_walker(spec.type) and spec.placement.position in MOVES_OFF_ROAD
 
 
 def _followed(structure: Structure, spec: ObjectSpec) -> ObjectSpec:

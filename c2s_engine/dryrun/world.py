@@ -191,7 +191,8 @@ class DryRunSimulation(DrivingSimulation):
         if any(self.speeds[key] < speeds.get(key, 0.0) - BRAKES * self.timestep for key in alive):
             self.braked = now
         rolls = any(body.dead and abs(body.speed) > 0.1 for body in bodies.values())
-        least = LONGEST if rolls else AFTERMATH if self.scene.egoObject.carlaActor.body.dead else APPROACH
+        ego = getattr(self.scene.egoObject, "carlaActor", None)
+        least = LONGEST if rolls else AFTERMATH if ego is None or ego.body.dead else APPROACH
         since, quiet = now - self.crashed, now - max(self.crashed, self.braked)
         return since >= ALL or quiet >= AFTERMATH and since >= least
 

@@ -853,8 +853,8 @@ def clock():
 
 def need(car, other):
     """The deceleration (m/s2) that keeps `car` from reaching `other`, if both go on as they do (one close ahead that slows
-    down, to a stand), and at least as much as that one slows down with; 0: no conflict, or one that crosses can still stop at its line, or the
-    very beginning, when not all have their speed yet."""
+    down, to a stand), and at least as much as that one slows down with; 0: no conflict, or one that crosses can still
+    stop at its line, or the very beginning, when not all have their speed yet."""
     if clock() < 0.15:
         return 0
     place = (other.position - car.position).rotatedBy(-car.heading)

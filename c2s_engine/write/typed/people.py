@@ -11,7 +11,7 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import at_door, inside, way_out
 from c2s_engine.write.typed.tables import LANE_NAME, LENGTH, MOVES_OFF_ROAD, WIDTH, is_walker
 from c2s_engine.write.typed.threats import is_hit, room_left
-from c2s_engine.write.typed.usual import crosses, pace_of, walks_first
+from c2s_engine.write.typed.usual import crosses, pace_of, speed_of, walks_first
 from c2s_engine.write.typed.watching import watched, watches
 
 ACROSS = {"cross_road", "enter_road", "collide"}
@@ -101,7 +101,7 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, again
     if spec.placement.arrives is not None:
         return spec.placement.arrives
     if (other := before_whom(structure, cid)) != EGO:
-        return _before(structure, cid, other, way_out(structure, spec, plan.place) / pace)
+        return _before(structure, cid, other, plan)
     if _meets(structure, cid, spec) and not again:
         return round(_struck_at(structure, cid, spec, plan, pace), 2)
     at = next(i for i, p in enumerate(spec.phases) if p.action in ACROSS)
@@ -129,20 +129,20 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, again
     return round(-ahead - DRAWN, 2), round(0.0 - ahead, 2)
 
 
-def _before(structure: Structure, cid: str, other: str, seconds: float) -> Quantity:
-    """The same before another than ego, whose way is so many seconds off: so that they touch, that the other can just
-    stop, or that it is missed."""
+def _before(structure: Structure, cid: str, other: str, plan: Plan) -> Quantity:
+    """The same before another than ego: so that they touch, that the other can just stop, or that it is missed."""
     spec, crosser = structure[other].spec, structure[cid].spec
     assert isinstance(spec, ObjectSpec) and isinstance(crosser, ObjectSpec)
     stops = next((p for p in spec.phases if p.action in ("brake", "stop")), None)
+    pace = max(middle(pace_of(crosser)), 0.5)
     if any(p.action == "collide" for p in (*spec.phases, *crosser.phases)):
         return 0.0
     if stops is None:
-        least, most = (round(IN_WAY / max(middle(pace_of(crosser)), 0.5) + clear, 2) for clear in NEAR_MISS)
+        least, most = (round(IN_WAY / pace + clear, 2) for clear in NEAR_MISS)
         return -most, -least
-    speed = max(middle(spec.speed or 0.0), 1.0)
     rate = middle(stops.rate) if stops.rate is not None else SLOWS
-    ahead = max(TO_STOP + speed / (2 * rate) - seconds, 0.0)
+    to_stand = TO_STOP + middle(speed_of(spec, plan.place)) / (2 * rate)
+    ahead = max(to_stand - way_out(structure, crosser, plan.place) / pace, 0.0)
     return round(-ahead - DRAWN, 2), round(-ahead, 2)
 
 

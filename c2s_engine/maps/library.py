@@ -78,8 +78,9 @@ class MapLibrary:
         there = {name.lower(): name for name in files}
         near = [there[n] for n in get_close_matches(text.lower(), there, 3, 0.6)]
         hint = f" Did you mean {', '.join(near)}?" if near else ""
-        if text.removesuffix("_Opt") in CARLA_TOWNS and not self.carla_root:
-            hint = " It is one of CARLA's: set CARLA_ROOT to the folder where CARLA is installed."
+        if text.removesuffix("_Opt") in CARLA_TOWNS and not any(map(self.is_town, files)):
+            hint = " It is one of CARLA's: set CARLA_ROOT to the folder where CARLA is installed"
+            hint += f" (none of its maps are below {self.carla_root})." if self.carla_root else "."
         raise MapNotFound(f"There is no map named {text}. Known maps: {', '.join(files)}.{hint}")
 
     def named_in(self, program: str) -> MapFile | None:

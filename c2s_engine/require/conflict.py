@@ -42,7 +42,6 @@ WAYS = {"brake": ("brake", "stop", "wait"), "yield": ("brake", "stop", "wait", "
         "evade": ("swerve", "lane_change", "overtake", "oncoming", "leave_road", "brake", "stop", "wait")}  # fmt: skip
 """By reaction, what says how ego does it: a phase without a cause of its own."""
 
-SLOWS = ("brake", "stop", "wait", "yield")
 LATER = Trigger(kind="time", value=60.0)
 """After all runs."""
 GONE_BY = ("apart", "passed", "speed", "light", "place")
@@ -80,12 +79,12 @@ def _told_to_stop(structure: Structure) -> bool:
 
 
 def _is_chance(structure: Structure, phase: Phase) -> bool:
-    """Whether ego goes on as another makes room for it: one that is not ahead of it slows down."""
-    trigger = phase.trigger
-    if phase.action in SLOWS or trigger is None or trigger.action not in SLOWS or trigger.of in (None, EGO):
+    """Whether ego goes on as another makes room for it: one behind it slows down."""
+    slows, cue = WAYS["yield"], phase.trigger
+    if phase.action in slows or cue is None or cue.action not in slows or not cue.of:
         return False
-    other = structure[trigger.of].spec if trigger.of in structure else None
-    return isinstance(other, ObjectSpec) and (other.placement.position == "behind" or other.placement.along == "behind")
+    other = structure[cue.of].spec if cue.of in structure else None
+    return isinstance(other, ObjectSpec) and "behind" in (other.placement.position, other.placement.along)
 
 
 def _landmark(structure: Structure, cid: str | None) -> bool:

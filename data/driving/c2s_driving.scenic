@@ -871,9 +871,10 @@ def need(car, other):
     if gap < 8 and car.speed < 2 and motion.y < 1 and abs(place.x) < reach:
         return 9
     braking = slowing(other) if across < 0.5 and motion.y > 0 and abs(place.x) < reach and gap < CLOSE * car.speed else 0
-    least = min(braking, 5.8) if braking > 2 else 0
-    if braking > 2:  # to stop behind it where it will stand
-        least = max(least, min(9, car.speed ** 2 / (2 * max(gap - 2 + motion.y ** 2 / (2 * braking), 0.3))))
+    least = 0
+    if braking > 2:  # as much as it, or what stops behind it where it will stand
+        left = max(gap - 2 + motion.y ** 2 / (2 * braking), 0.3)
+        least = max(min(braking, 5.8), min(9, car.speed ** 2 / (2 * left)))
     if closing <= 0.1:
         return least
     there = place.x + motion.x * max(gap, 0) / closing
@@ -1284,8 +1285,8 @@ def junctions(turn=None, arms=None, control=None, crosswalk=None, approach=0, ex
             places = [place for place in places if not any(
                 other.priority and facts.sign(lane, place.turn.intersection)
                 for other, lane in zip(others, place.others))] or places
-            free = [p for p in places if facts.sign(p.turn.startLane, p.turn.intersection) != 'stop']
-            return free if free and control is None else places
+            free = [p for p in places if control is None and facts.sign(p.turn.startLane, p.turn.intersection) != 'stop']
+            return free or places
     return []
 
 def roundabouts(approach=0, exit=0, others=(), arms_within=100, limit=None, across=False, leaving=0, **lanes):

@@ -102,6 +102,12 @@ def test_an_unknown_map_names_those_that_there_are(name):
     assert ("CARLA_ROOT" in str(refusal.value)) == (name == "Town05")
 
 
+def test_a_town_that_is_not_where_carla_is_said_to_be_is_told_where_it_was_looked_for(tmp_path):
+    with pytest.raises(MapNotFound) as refusal:
+        MapLibrary(carla_root=tmp_path).find("Town05")
+    assert f"none of its maps are below {tmp_path}" in str(refusal.value)
+
+
 @pytest.mark.parametrize(("name", "near"), [("Town99", "town"), ("town 7", "town"), ("twon", "town")])
 def test_a_name_that_no_map_has_gets_the_nearest_that_is_there(name, near):
     with pytest.raises(MapNotFound, match=rf"Did you mean {near}\?$") as refusal:  # of those that are there

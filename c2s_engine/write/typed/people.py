@@ -73,7 +73,7 @@ def constants(structure: Structure, cid: str, plan: Plan) -> list[str]:
         return []
     again, later = _comes_again(structure, cid, spec), middle(spec.placement.later or 0.0)
     name = scope.constant(structure, cid)
-    due = {} if _stated(spec) else {"ARRIVES": _arrival(structure, cid, spec, plan, again)}
+    due = {} if states_when(spec) else {"ARRIVES": _arrival(structure, cid, spec, plan, again)}
     if again:
         due["RETURNS"] = round(_struck_at(structure, cid, spec, plan, max(middle(pace_of(spec)), 0.5)), 2)
     met = "RETURNS" if again else "ARRIVES"
@@ -312,8 +312,8 @@ def _egos_way(plan: Plan) -> str:
     return way_of_ego(plan) if plan.turning else f"way({LANE_NAME[0]})"
 
 
-def _stated(spec: ObjectSpec) -> bool:
-    """Whether S says when somebody sets out."""
+def states_when(spec: ObjectSpec) -> bool:
+    """Whether S says when somebody sets out across the road."""
     first = next((p for p in spec.phases if p.action in ACROSS), None)
     return first is not None and _tells_when(first.trigger)
 

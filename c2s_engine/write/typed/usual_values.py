@@ -6,7 +6,7 @@ from c2s_engine.structure.components import ComponentId, Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed.alongside import offset
-from c2s_engine.write.typed.people import ACROSS
+from c2s_engine.write.typed.people import states_when
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.spread import spread
 from c2s_engine.write.typed.tables import TIMED, is_static
@@ -42,8 +42,7 @@ def usual_values(structure: Structure, room: float) -> Usual:
         speeds[component.id] = 0.0 if is_static(spec) else middle(speed_of(spec, plan.place))
         timed = spec.placement.position in TIMED or offset(spec, ego, plan.place)
         meets = timed and spec.placement.gap is None or crosses(spec)
-        begins = next((i for i, p in enumerate(spec.phases) if p.action in ACROSS), 0) if crosses(spec) else 0
-        if meets and not any(p.trigger for p in spec.phases[: begins + 1]):
+        if meets and not any(p.trigger for p in spec.phases[:1]) and not (crosses(spec) and states_when(spec)):
             later[component.id] = middle(spec.placement.later or 0.0)
         elsewhere = right_behind(spec) or plan.place.kind == "crosswalk" and uses_crosswalk(spec)
         if spec.placement.position not in TIMED and not elsewhere:

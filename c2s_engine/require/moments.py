@@ -122,6 +122,15 @@ def onset(motion: Motion, action: str, time: float) -> float:
     return time
 
 
+def swerves(motion: Motion) -> list[float]:
+    """When each of its swerves begins, to whichever side, after which it comes back."""
+    aside, least = beside(motion), bounds()["phase"]["swerve"]["value"]
+    near = bounds()["reaction"]["aside"]["value"]
+    outs = sorted(out for side in (1, -1) for out in stretches(side * aside > least))
+    begun = (np.flatnonzero(np.abs(aside[:a]) < near) for a, b in outs if (np.abs(aside[b:]) < least).any())
+    return [float(motion.time[before[-1]]) for before in begun if len(before)]
+
+
 def cut_off(motion: Motion) -> list[float]:
     """When one begins to move aside that is still at it when it touches somebody."""
     first = motion.at(motion.time[-1] - LATE)

@@ -47,6 +47,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
         values: dict[str, Value] = {"action": "wait" if stands else phase.action, "events": shows}
         if actor in before:
             values["after"] = before[actor]
+            values["again"] = _same_again(scene, actor, i, before[actor])
         if (change := _change(scene, actor, i)) is not None:
             values["change"] = change
         if phase.action == "stop" and _after_contact(scene, actor, i):
@@ -70,6 +71,13 @@ def required(scene: Scene) -> Iterator[Requirement]:
             before[actor] = seen.id
     yield from _awaited(scene)
     yield from moments.delays(scene)
+
+
+def _same_again(scene: Scene, actor: str, i: int, before: str) -> bool:
+    """Whether a phase is what is said before it (its requirement), once more."""
+    phases = scene.actors[actor].phases
+    one = phases[int(before.split(".")[2])]
+    return (one.action, one.target) == (phases[i].action, phases[i].target)
 
 
 def _leaves_later(scene: Scene, actor: str, i: int) -> bool:
@@ -196,6 +204,8 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
             passing = str(requirement.values["after"]).endswith(".overtake")  # coming back is part of that
             times = moments.kept_from(motion, earliest, *((moments.LONGEST,) if passing else ()))
     room = 0.0 if action == "start" else bounds()["order"]["room"]["value"]  # a stand ends after it has begun
+    if requirement.values.get("again"):
+        times = [t for t in (moments.swerves(motion) if action == "swerve" else times) if t > earliest + room]
     later = [t for t in times if t >= earliest - room]
     if action == "yield" and times and not later:  # it stood before, and lets that one pass as it may go
         return earliest

@@ -50,6 +50,13 @@ def swerves_at(y: float) -> Scene:
     return Scene([ego(x=-2.8, speed=FAST, events=PASSES), rider])
 
 
+TWICE = s(ObjectSpec(phases=(Phase(action="swerve", side="left"), Phase(action="swerve", side="right"))))
+SWERVES = (0, 0), (1, 0), (2, -1.5), (4, 0), (5, 0), (6, 1.5), (8, 0), (12, 0)
+SWERVED = (event("swerve", 3.6),)
+TWO_OVER = s(ObjectSpec(phases=(Phase(action="lane_change"), Phase(action="lane_change"))))
+ONE, TWO = event("lane_change", 3.0), event("lane_change", 7.0)
+
+
 BEHIND = s(ObjectSpec(placement=Placement(position="ahead")), ego=EgoSpec(reaction="brake"))
 ONCE = ramp((0, 10), (2, 10), (4, 5.5), (6, 8.5), (12, 7.5))
 AGAIN = ramp((0, 10), (2, 10), (3, 5.5), (4, 8.5), (5, 5.5), (6, 8.5), (7, 5.5), (12, 6))
@@ -65,6 +72,12 @@ CASES = {
     "broken off and back": ("E.phases.0.abandoned", ABANDONED, passer(BRIEFLY, 8.0), passer(STAYS_OUT, 8.0)),
     "slides to a stand": ("O1.phases.0.ends", SLIDES, skidder(0.6, 0.0), skidder(0.6, 3.0)),
     "at an angle": ("O1.phases.0.ends", SLIDES, skidder(0.2, 0.0), skidder(0.1, 0.0)),
+    "swerves again": ("O1.phases.1.swerve", TWICE, Scene([ego(), other(x=ramp(*SWERVES), events=SWERVED)]),
+                      Scene([ego(), other(x=ramp(*SWERVES[:4], SWERVES[-1]), events=SWERVED)])),
+    "swerves to the other side": ("O1.phases.1.side", TWICE, Scene([ego(), other(x=ramp(*SWERVES), events=SWERVED)]),
+                                  Scene([ego(), other(x=ramp(*((t, -abs(x)) for t, x in SWERVES)), events=SWERVED)])),
+    "changes lanes again": ("O1.phases.1.lane_change", TWO_OVER, Scene([ego(), other(events=(ONE, TWO))]),
+                            Scene([ego(), other(events=(ONE,))])),
     "alongside": ("O1.phases.0.awaits", PASSED, swerves_at(34.0), swerves_at(44.0)),
     "as in an emergency": (
         "E.hard", HARD, Scene([ego(speed=ramp((0, 10), (4, 10), (6, 0), (12, 0))), other()]),

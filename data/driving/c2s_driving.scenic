@@ -927,6 +927,8 @@ def could_stop(car, rate=7):
     lane = car._lane
     if lane is None or car._intersection or not any(m.intersection for m in lane.maneuvers):
         return False
+    if abs(math.sin(car.heading - network.roadDirection[car.position].yaw)) > 0.5:  # it goes across its lane
+        return False
     return to_line(car, lane) > car.speed ** 2 / (2 * rate)
 
 def hides(thing, eye, spot):

@@ -22,6 +22,8 @@ HALF_LANE = 1.75
 """m from the lane's middle to its edge, on most maps."""
 IN_ITS_WAY = 0.5
 """m by which one at the edge of the lane overlaps with ego, before that swerves too late."""
+WHERE_IT_IS = "self.beside"
+"""m to the left of its lane's middle, as a drive begins."""
 EDGE = 1.6
 """m from the lane's middle to where those partly in it start, and riders stay."""
 
@@ -76,6 +78,7 @@ class Course:
         self.home: list[tuple[list[str], str]] = []  # how it gets back to its lane once it has done what comes next
         self.held = False  # whether it has stopped in the middle of the junction
         self.behind = ""  # whom it overtakes later, where that one is ahead in its lane
+        self.out = False  # whether it is out of its lane, and stands there if it stops
         self.aside = _aside(actor)  # m to the left of its lane's middle that it keeps to; "": it keeps to the middle
 
     # What is driven.
@@ -87,7 +90,7 @@ class Course:
         goal = self._guarded(speed if speed is not None else self.cruise())
         rate = rate or (GENTLE if self.actor.spec.type in GENTLY else None)
         extra = f", rate={rate if isinstance(rate, str) else scope.number(rate)}" if rate else ""
-        offset = offset or self.aside
+        offset = offset or (WHERE_IT_IS if self.out else self.aside)
         extra += f", offset={offset}" if offset else ""
         extra += f", shift={scope.number(shift)}" if shift else ""
         return f"do Drive(line, {goal}{extra})"

@@ -29,6 +29,7 @@ BROKEN_OFF = 1.7
 """m to the side after which a lane change is broken off: about half of the body is over the line then."""
 BEYOND_EDGE = 4
 """m beyond the road's edge to where who leaves it heads."""
+STANDS = ("stop", "stationary", "wait")
 HITS_SOON = "for 1 seconds"
 """How long one leaves its lane that then hits another."""
 BACKING = 4.0
@@ -43,9 +44,10 @@ def steps(course: Course, phase: Phase) -> list[Step]:
     """The steps of one phase; the course is moved on."""
     if slides_there(course, phase):
         return []
+    course.out = course.out and phase.action in STANDS
     if not course.backwards or phase.action == "reverse":
         return _OF.get(phase.action, _keep_lane)(course, phase)
-    if phase.action in ("stop", "stationary", "wait"):
+    if phase.action in STANDS:
         return [(["do Backwards(0)"], ending(phase, "for 3 seconds"))]
     if phase.action in ("leave_road", "drift"):
         steer = scope.number(0.25 * _side(phase, -1 if phase.action == "drift" else 1) * -1)
@@ -300,6 +302,7 @@ def _swerve(c: Course, p: Phase) -> list[Step]:
 def _drift(c: Course, p: Phase) -> list[Step]:
     if into := struck_beside(c, p):
         return into
+    c.out = True
     return _sideways(c, p, -3.2, 0.7, None)
 
 
@@ -309,6 +312,7 @@ def _leave_road(c: Course, p: Phase) -> list[Step]:
     out = _off_the_road(c, "left" if p.side == "left" else "right")
     drive = c.drive(c.set(c.wanted(p, c.value)), offset=out, shift=2)
     off = "" if p == c.actor.spec.phases[-1] else "until self._lane is None and self._intersection is None"
+    c.out = True
     return [([drive], ending(p, HITS_SOON if hit_next(c, p) else off))]
 
 

@@ -29,7 +29,10 @@ actor1 = new Advertisement at beside(place.lane.rightEdge, place.lane, ACTOR1_AT
     facing heading_at(place.lane, ACTOR1_AT),
     with regionContainedIn everywhere,
     with blueprint 'static.prop.advertisement',
-    with rolename 'billboard'
+    with rolename 'billboard',
+    with length 1,
+    with width 3,
+    with height 3
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

@@ -76,5 +76,8 @@ async def test_a_run_shows_it(engine, row):
 
 
 async def test_runs_of_some_show_them(engine):
-    for term in ("slowly", "until another has gone by", "stops 1.5 m short of another"):
+    for term in (
+        "slowly", "until another has gone by", "stops 1.5 m short of another", "weaves, zigzags", "pushes a bicycle",
+        "makes way for an emergency vehicle",
+    ):  # fmt: skip
         assert not await shown(engine, next(row for row in SAID if row["term"] == term))

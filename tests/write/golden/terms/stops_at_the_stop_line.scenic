@@ -11,7 +11,7 @@ place = Uniform(*junctions(STRAIGHT, control='signal', approach=65))
 EGO_TO_JUNCTION = 40  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 
-## E: Ego, a car, drives at 36 km/h; it stops 0 m before the intersection.
+## E: Ego, a car, drives at 36 km/h; it stops when it is at the stop line.
 EGO_SPEED = 10  # m/s
 
 behavior EgoBehavior():

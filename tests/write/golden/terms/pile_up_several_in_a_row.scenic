@@ -7,25 +7,26 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=375, least=157, speed=15))
+place = Uniform(*stretches(straight=True, length=375, least=142, speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 28.8 km/h.
-EGO_SPEED = 8  # m/s
+## E: Ego, a car, drives at 50.4 km/h; it hits the one.
+EGO_SPEED = 14  # m/s
 
 behavior EgoBehavior():
     line = way(place.lane)
     take SetSpeedAction(EGO_SPEED)
-    do Drive(line, EGO_SPEED)
+    do Drive(line, EGO_SPEED) until touch(self, one)
+    do Drive(line, 0, rate=6)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 require monitor Lights()
 
-## O1: A car ahead of ego in the same lane, 60 m away, at 50.4 km/h; it hits the two.
+## O1: A car ahead of ego in the same lane, 40 m away, at 50.4 km/h; it hits the two.
 ONE_SPEED = 14  # m/s
-ONE_AT = EGO_AT + 60 + 5  # m along the lane
+ONE_AT = EGO_AT + 40 + 5  # m along the lane
 
 behavior OneBehavior():
     line = way(place.lane)
@@ -37,19 +38,10 @@ one = new Car at place.lane.centerline.pointAlongBy(ONE_AT),
     with blueprint Uniform(*CARS),
     with behavior OneBehavior()
 
-## O2: A car ahead of the one in the same lane, 40 m away, at 14.4 km/h; it brakes.
-TWO_SPEED = 4  # m/s
-TWO_AT = ONE_AT + 40 + 5  # m along the lane
-
-behavior TwoBehavior():
-    line = way(place.lane)
-    take SetSpeedAction(TWO_SPEED)
-    do Drive(line, TWO_SPEED) for 3 seconds
-    do Drive(line, 2, rate=3)
-
+## O2: A car ahead of the one in the same lane, 45 m away; it stands still.
+TWO_AT = ONE_AT + 45 + 5  # m along the lane
 two = new Car at place.lane.centerline.pointAlongBy(TWO_AT),
-    with blueprint Uniform(*CARS),
-    with behavior TwoBehavior()
+    with blueprint Uniform(*CARS)
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

@@ -1,0 +1,42 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: A motorway, 2 or more lanes in ego's direction, ego in the rightmost.
+place = Uniform(*motorways(length=724, lanes=2, ego_lane='rightmost', speed=30))
+EGO_AT = Range(124, 144)  # m along its lane
+
+## E: Ego, a car, drives at 72 km/h.
+EGO_SPEED = 20  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane)
+    take SetSpeedAction(EGO_SPEED)
+    do Drive(line, EGO_SPEED)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+
+## O1: 5 cars behind ego in the lane to the left, 10 m away, at 101 km/h.
+STREAM_SPEED = 28  # m/s
+STREAM_AT = EGO_AT - 10 - 5  # m along the lane
+
+behavior StreamBehavior():
+    line = way(place.left_lane)
+    try:
+        take SetSpeedAction(STREAM_SPEED)
+        do Drive(line, STREAM_SPEED)
+    interrupt when most_need(self, [*stream]) > 3:
+        do BrakeFor(line, [*stream])
+
+stream = [new Car at place.left_lane.centerline.pointAlongBy(STREAM_AT - 24.8 * i),
+    with blueprint Uniform(*CARS),
+    with behavior StreamBehavior() for i in range(5)]
+
+## T: The run ends after 12 s.
+terminate after 12 seconds

@@ -1,0 +1,51 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: A straight road.
+place = Uniform(*stretches(straight=True, length=225, least=116))
+EGO_AT = Range(25, 45)  # m along its lane
+
+## E: Ego, a car, drives slowly.
+EGO_SPEED = Range(5.6, 8.3)  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane)
+    take SetSpeedAction(EGO_SPEED)
+    do Drive(line, EGO_SPEED)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## O1: 3 walls partly in the lane at its left edge, 30 m away.
+LEFT_WALL_AT = EGO_AT + 30 + 8.6  # m along the lane
+left_wall = [new Barrier at beside(place.lane.centerline, place.lane, LEFT_WALL_AT + 13 * i, -1.6),
+    with regionContainedIn everywhere,
+    facing heading_at(place.lane, LEFT_WALL_AT + 13 * i),
+    with blueprint 'static.prop.streetbarrier',
+    with rolename 'wall',
+    with length 12,
+    with width 0.4,
+    with height 2.2 for i in range(3)]
+
+## O2: 3 walls partly in the lane at its right edge, 30 m away.
+RIGHT_WALL_AT = EGO_AT + 30 + 8.6  # m along the lane
+right_wall = [new Barrier at beside(place.lane.centerline, place.lane, RIGHT_WALL_AT + 13 * i, 1.6),
+    with regionContainedIn everywhere,
+    facing heading_at(place.lane, RIGHT_WALL_AT + 13 * i),
+    with blueprint 'static.prop.streetbarrier',
+    with rolename 'wall',
+    with length 12,
+    with width 0.4,
+    with height 2.2 for i in range(3)]
+
+## T: The run ends after 14 s.
+record gap(ego, left_wall[0]) as gap_ego_O1
+record gap(ego, right_wall[0]) as gap_ego_O2
+terminate after 14 seconds

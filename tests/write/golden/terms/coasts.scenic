@@ -1,0 +1,28 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: A straight road.
+place = Uniform(*stretches(straight=True, length=325, speed=15))
+EGO_AT = Range(25, 45)  # m along its lane
+
+## E: Ego, a car, drives at 50.4 km/h; it brakes.
+EGO_SPEED = 14  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane)
+    take SetSpeedAction(EGO_SPEED)
+    do Drive(line, EGO_SPEED) for 3 seconds
+    do Drive(line, 9, rate=0.7)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## T: The run ends after 13 s.
+terminate after 13 seconds

@@ -1,0 +1,57 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: A straight road.
+place = Uniform(*stretches(straight=True, length=275, least=108, ego_lane='rightmost'))
+EGO_AT = Range(25, 45)  # m along its lane
+
+## E: Ego, a car, drives at 28.8 km/h; it brakes for what comes into its way.
+EGO_SPEED = 8  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane)
+    try:
+        take SetSpeedAction(EGO_SPEED)
+        do Drive(line, EGO_SPEED)
+    interrupt when most_need(self, [*in_view(self, [child], [actor1])]) > 3:
+        do StopShortOf(line, [child], EGO_SPEED)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## O1: A hedge at the right roadside, 50 m away.
+ACTOR1_AT = EGO_AT + 50 + 7.6  # m along the lane
+actor1 = new PlantPot at beside(place.lane.rightEdge, place.lane, ACTOR1_AT, 2.4),
+    facing heading_at(place.lane, ACTOR1_AT),
+    with regionContainedIn everywhere,
+    with blueprint 'static.prop.plantpot01',
+    with rolename 'hedge',
+    with length 10,
+    with width 1.2,
+    with height 1.8
+
+## O2: A child at the right roadside, hidden by the actor1; it crosses the road.
+CHILD_SPEED = 2.2  # m/s
+CHILD_ARRIVES = Range(-0.2, 0)  # s after ego in the middle of its way, unhindered
+
+behavior ChildBehavior():
+    line = way(place.lane)
+    do Stand() until sets_out(self, ego, line, CHILD_SPEED, CHILD_ARRIVES)
+    do Walk(self.heading, CHILD_SPEED, to_far_side(self, line, self.heading))
+
+child = new Pedestrian ahead of actor1 by 0.4,
+    facing 90 deg relative to actor1,
+    with regionContainedIn everywhere,
+    with blueprint Uniform(*CHILDREN),
+    with rolename 'child',
+    with behavior ChildBehavior()
+
+## T: No restriction beyond the scene itself.
+terminate after 20 seconds

@@ -1,0 +1,29 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: A roundabout.
+place = Uniform(*roundabouts(approach=60))
+EGO_TO_JUNCTION = 35  # m
+EGO_AT = place.length - EGO_TO_JUNCTION
+
+## E: Ego, a car, drives at 25.2 km/h; it stops when it is in the intersection.
+EGO_SPEED = 7  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane, place.turn)
+    take SetSpeedAction(EGO_SPEED)
+    do Drive(line, EGO_SPEED) until self._intersection is not None
+    do Drive(line, 0, rate=3.5)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## T: No restriction beyond the scene itself.
+terminate after 20 seconds

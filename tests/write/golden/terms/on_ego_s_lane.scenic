@@ -1,0 +1,35 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: A straight road.
+place = Uniform(*stretches(straight=True, length=275, least=108))
+EGO_AT = Range(25, 45)  # m along its lane
+
+## E: Ego, a car, drives at 36 km/h; it stops with 3 m to the actor1.
+EGO_SPEED = 10  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane)
+    take SetSpeedAction(EGO_SPEED)
+    do StopBefore(line, [actor1], room=3, rate=3.5)
+    do Drive(line, 0, rate=3.5)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## O1: A pedestrian ahead of ego in the same lane, 60 m away; it stands still.
+ACTOR1_AT = EGO_AT + 60 + 2.85  # m along the lane
+actor1 = new Pedestrian at place.lane.centerline.pointAlongBy(ACTOR1_AT),
+    with regionContainedIn everywhere,
+    with blueprint Uniform(*PEDESTRIANS),
+    facing roadDirection
+
+## T: No restriction beyond the scene itself.
+terminate after 20 seconds

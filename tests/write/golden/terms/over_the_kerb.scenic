@@ -1,0 +1,29 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: A straight road.
+place = Uniform(*stretches(straight=True, length=225, ego_lane='rightmost', sidewalk=True))
+EGO_AT = Range(25, 45)  # m along its lane
+
+## E: Ego, a car, drives at 28.8 km/h; it leaves the road to the right, then stops.
+EGO_SPEED = 8  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane)
+    take SetSpeedAction(EGO_SPEED)
+    do Drive(line, EGO_SPEED) for 3 seconds
+    do Drive(line, EGO_SPEED, offset=-place.lane.group.rightEdge.distanceTo(self.position) - 4, shift=2) until self._lane is None and self._intersection is None
+    do Drive(line, 0, rate=3.5, offset=self.beside)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## T: No restriction beyond the scene itself.
+terminate after 20 seconds

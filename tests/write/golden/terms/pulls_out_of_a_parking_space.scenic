@@ -1,0 +1,45 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: A straight road.
+place = Uniform(*stretches(straight=True, length=275, least=110, ego_lane='rightmost',
+    shoulder='preferred'))
+EGO_AT = Range(25, 45)  # m along its lane
+
+## E: Ego, a car, drives at 36 km/h; it brakes for what comes into its way.
+EGO_SPEED = 10  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane)
+    try:
+        take SetSpeedAction(EGO_SPEED)
+        do Drive(line, EGO_SPEED)
+    interrupt when need(self, actor1) > 2.5:
+        do BrakeFor(line, actor1)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## O1: A car parked on the right, 60 m away; it comes onto the road.
+ACTOR1_AT = EGO_AT + 60 + 3.7  # m along the lane
+
+behavior Actor1Behavior():
+    line = way(place.lane)
+    do Drive(line, 0) until pulls_out(self, ego, line, 2.4, -1.41)
+    do Drive(line, 7, rate=2.4)
+
+actor1 = new Car at beside(place.lane.rightEdge, place.lane, ACTOR1_AT, 3.6),
+    facing 90 deg relative to heading_at(place.lane, ACTOR1_AT),
+    with regionContainedIn everywhere,
+    with blueprint Uniform(*CARS),
+    with behavior Actor1Behavior()
+
+## T: No restriction beyond the scene itself.
+terminate after 20 seconds

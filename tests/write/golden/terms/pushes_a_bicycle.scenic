@@ -1,0 +1,47 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: A straight road.
+place = Uniform(*stretches(straight=True, length=225, least=99, ego_lane='rightmost'))
+EGO_AT = Range(25, 45)  # m along its lane
+
+## E: Ego, a car, drives at 28.8 km/h; it brakes for what comes into its way.
+EGO_SPEED = 8  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane)
+    try:
+        take SetSpeedAction(EGO_SPEED)
+        do Drive(line, EGO_SPEED)
+    interrupt when need(self, pusher) > 2.5:
+        do BrakeFor(line, pusher)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## O1: A bicycle at the right roadside, 50 m away, at walking pace; it crosses the road.
+PUSHER_SPEED = Range(1.1, 2)  # m/s
+PUSHER_AT = EGO_AT + 50 + 3.5  # m along the lane
+PUSHER_ARRIVES = Range(-0.2, 0)  # s after ego in the middle of its way, unhindered
+
+behavior PusherBehavior():
+    line = way(place.lane)
+    do Drive(straight_on(self), 0) until sets_out(self, ego, line, PUSHER_SPEED, PUSHER_ARRIVES, 1.5)
+    far = to_far_side(self, line, self.heading) + 14
+    do Drive(straight_on(self, far), PUSHER_SPEED, rate=1.5)
+
+pusher = new Bicycle at beside(place.lane.rightEdge, place.lane, PUSHER_AT, 1.8),
+    facing 90 deg relative to heading_at(place.lane, PUSHER_AT),
+    with regionContainedIn everywhere,
+    with blueprint Uniform(*BICYCLES),
+    with behavior PusherBehavior()
+
+## T: No restriction beyond the scene itself.
+terminate after 20 seconds

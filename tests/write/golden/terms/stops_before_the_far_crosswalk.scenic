@@ -1,0 +1,47 @@
+## G: Clear weather, day.
+param map = localPath('town.xodr')
+param carla_map = None
+param use2DMap = True
+param weather = 'ClearNoon'
+model scenic.simulators.carla.model
+from c2s_driving import *
+
+## R: An intersection, where ego goes straight on, with a crosswalk.
+place = Uniform(*junctions(STRAIGHT, crosswalk=True, approach=60))
+EGO_TO_JUNCTION = 35  # m
+EGO_AT = place.length - EGO_TO_JUNCTION
+
+## E: Ego, a car, drives at 28.8 km/h; it goes straight on, then stops with 2 m to the actor1.
+EGO_SPEED = 8  # m/s
+
+behavior EgoBehavior():
+    line = way(place.lane, place.turn)
+    take SetSpeedAction(EGO_SPEED)
+    do Drive(line, EGO_SPEED) until self._intersection
+    do Drive(line, EGO_SPEED) until actor1.speed > 0.5
+    do StopBefore(line, [actor1], room=2)
+    do Drive(line, 0, rate=3.5)
+
+ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
+    with blueprint 'vehicle.lincoln.mkz_2017',
+    with behavior EgoBehavior()
+require monitor Lights()
+
+## O1: A pedestrian behind the intersection, on the road that ego takes; it crosses the road.
+ACTOR1_SPEED = 1.4  # m/s
+ACTOR1_AT = 4  # m behind the junction
+ACTOR1_ARRIVES = Range(0.21, 0.41)  # s after ego in the middle of its way, unhindered
+
+behavior Actor1Behavior():
+    line = way(place.lane, place.turn)
+    do Stand() until sets_out(self, ego, line, ACTOR1_SPEED, ACTOR1_ARRIVES)
+    do Walk(self.heading, ACTOR1_SPEED, to_far_side(self, line, self.heading))
+
+actor1 = new Pedestrian at beside(place.exit_lane.group.rightEdge, place.exit_lane, ACTOR1_AT, 1.5),
+    facing 90 deg relative to heading_at(place.exit_lane, ACTOR1_AT),
+    with regionContainedIn everywhere,
+    with blueprint Uniform(*PEDESTRIANS),
+    with behavior Actor1Behavior()
+
+## T: No restriction beyond the scene itself.
+terminate after 20 seconds

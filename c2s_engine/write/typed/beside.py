@@ -27,10 +27,11 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
     if (uses_crosswalk(spec) or right_behind(spec)) and (marked := _crosswalk(plan)):
         beside = stations.next_to(structure, cid)
         line = f"{at} = {marked}" + (f" {'+' if beside > 0 else '-'} {abs(beside)}" if beside else "")
-    elif right_behind(spec):  # of what stands in the next lane
+    elif right_behind(spec):  # of what stands in the next lane, or across beside the road
         by = structure[spec.placement.hidden_by or "ego"].spec
         assert isinstance(by, ObjectSpec)
-        beyond = (LENGTH[by.type] + LENGTH[spec.type]) / 2 + stations.RIGHT_BEHIND
+        long = (WIDTH if by.placement.facing == "across" else LENGTH)[by.type]
+        beyond = round((long + LENGTH[spec.type]) / 2 + stations.RIGHT_BEHIND, 2)
         line = f"{at} = {position_constant(structure, spec.placement.hidden_by or 'ego')} + {scope.number(beyond)}"
     elif at_corner(spec, plan.place):
         return _corner(structure, spec, at, plan)

@@ -28,10 +28,12 @@ FACES_EGO = {"oncoming_lane", "opposite_approach"}
 
 def hidden(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
     """Right behind what hides it, as ego sees it: at its front, or at the tail of what faces ego; one who crosses
-    before what stands in a lane is just out of that lane, or beside the road where that is the next lane. One who
-    comes from a row stands between its last two (`stations.between`)."""
+    before what stands in a lane is just out of that lane, or beside the road where that is the next lane, or where it
+    stands across. One who comes from a row stands between its last two (`stations.between`)."""
     by = spec.placement.hidden_by or "ego"
-    if crosses(spec) and _spec(structure, by).placement.position in ("left_lane", "right_lane"):
+    what = _spec(structure, by)
+    across = what.placement.facing == "across" and what.placement.position in MOVES_OFF_ROAD and what.count == 1
+    if crosses(spec) and (across or what.placement.position in ("left_lane", "right_lane")):
         return beside_road(structure, cid, spec, plan)
     hider = scope.reference(structure, by).replace("[0]", "[-1]")  # of a row the last
     left, front = spec.placement.side == "left", not faces_ego(structure, by)

@@ -11,13 +11,13 @@ place = Uniform(*merges(approach=65))
 EGO_TO_JUNCTION = 40  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 
-## E: Ego, a car, drives at 50.4 km/h; it accelerates 120 m before the merge_end.
+## E: Ego, a car, drives at 50.4 km/h; it accelerates 240 m before the merge_end.
 EGO_SPEED = 14  # m/s
 
 behavior EgoBehavior():
     line = way(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
-    do Drive(line, EGO_SPEED) until self._lane is place.acceleration_lane and (distance from self to place.acceleration_lane.centerline[-1]) < 120
+    do Drive(line, EGO_SPEED) until self._lane is place.acceleration_lane and (distance from self to place.acceleration_lane.centerline[-1]) < 240
     do Drive(line, 22, rate=2.5) until self._lane is place.acceleration_lane
     line = way(place.left_lane)
     do Drive(line, 22)

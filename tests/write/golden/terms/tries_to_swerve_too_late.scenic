@@ -10,13 +10,13 @@ from c2s_driving import *
 place = Uniform(*stretches(straight=True, length=375, least=112, speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
-## E: Ego, a car, drives at 50.4 km/h; it swerves to the left, then hits the actor1.
+## E: Ego, a car, drives at 50.4 km/h; it swerves to the left at a TTC of 1.0 s, then hits the actor1.
 EGO_SPEED = 14  # m/s
 
 behavior EgoBehavior():
     line = way(place.lane)
     take SetSpeedAction(EGO_SPEED)
-    do Drive(line, EGO_SPEED) until need(self, actor1) > 2 or near(self, actor1)
+    do Drive(line, EGO_SPEED) until ttc(self, actor1) < 1
     do Drive(line, EGO_SPEED, offset=2.2, shift=2.5) until touch(self, actor1)
     do Drive(line, EGO_SPEED) until touch(self, actor1)
     do Drive(line, 0, rate=6)

@@ -400,10 +400,6 @@ def _onset(motion: Motion, action: str) -> float | None:
         moved = rest < motion.speed**2 / (2 * limits["stopping"]["value"])
     elif action in ("cross_road", "enter_road", "reverse", "u_turn"):
         moved = (motion.speed > 0.3) if motion.speed[0] <= 0.3 else np.zeros(len(motion.speed), bool)
-    elif action in ("run_red", "run_stop"):  # it can no longer stop as drivers do
-        line = next((m.start for m in motion.course.marks if m.kind == "line"), np.inf)
-        stops = motion.speed**2 / (2 * limits["stops"]["value"])
-        moved = motion.of_course("along") + motion.size[0] / 2 + stops > line
     elif action in TURNS:
         moved = (np.abs(motion.heading - motion.heading[0]) > limits["turned"]["value"]) | (motion.acceleration < -1.0)
     else:

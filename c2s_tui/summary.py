@@ -2,6 +2,7 @@
 
 from collections import Counter
 
+from c2s_engine.structure.account import not_wholly
 from c2s_engine.structure.components import given_up
 from c2s_engine.structure.requirements import failures, tally
 from c2s_tui.desk import Desk
@@ -38,7 +39,7 @@ def summary(desk: Desk, back: str = "") -> tuple[str, str]:
         parts += passed[-1:]
     seen, required = tally(desk.results)
     if required:
-        parts.append(f"{seen} of {required} requirements met{_fewer(desk)}")
+        parts.append(f"{seen} of {required} requirements met{_fewer(desk)}{not_wholly(desk.structure)}")
     left = given_up(desk.structure)
     if left and desk.stages:
         parts.append(f"given up: {', '.join(left)}")

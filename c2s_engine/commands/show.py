@@ -11,6 +11,7 @@ from c2s_engine.commands.console import out
 from c2s_engine.session import no_effect
 from c2s_engine.session.seeds import verdict
 from c2s_engine.session.why import KEPT
+from c2s_engine.structure.account import not_wholly
 from c2s_engine.structure.components import Structure, Unmet, given_up, unrecognised
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.facts import EventFact, RunFacts
@@ -72,7 +73,7 @@ def outcome(
     """What the runs showed, what of it S requires, and what of the text was given up."""
     if facts:
         _runs(facts, requirements, measures, bool(s.text), to)
-        _required(requirements, results, unrecognised(s), to)
+        _required(requirements, results, unrecognised(s), not_wholly(s), to)
     if left := given_up(s):
         to.print(Text(f"Given up: {', '.join(left)}", style="yellow"))
 
@@ -134,13 +135,13 @@ def seed(row: SeedResult, to: Console = out) -> None:
 
 
 def _required(
-    requirements: Sequence[Requirement], results: Sequence[Result], partly: Sequence[str], to: Console
+    requirements: Sequence[Requirement], results: Sequence[Result], partly: Sequence[str], lost: str, to: Console
 ) -> None:
-    """How much of what S requires was seen, and a line for each thing that was not."""
+    """How much of what S requires was seen, `lost`: what of the text it does not require; a line for each failure."""
     if not results:
         return
     held, of = tally(results)
-    to.print(Text(f"{held} of {of} requirements met", style="green" if held == of else "yellow"))
+    to.print(Text(f"{held} of {of} requirements met{lost}", style="green" if held == of and not lost else "yellow"))
     for line in failures(requirements, results):
         to.print(Text(line, style="yellow"))
     if partly:

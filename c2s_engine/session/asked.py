@@ -4,7 +4,9 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from c2s_engine.session.decided import decided, hedged
 from c2s_engine.session.glossary import meaning
+from c2s_engine.session.question import Question, read
 from c2s_engine.session.why import explained
 from c2s_engine.session.yes_no import yes_or_no
 from c2s_engine.structure.account import STATUS_WORDS, Clause, account
@@ -86,12 +88,15 @@ def answered(question: str, shown: Finished | None) -> str:
         return f"{entry}\n{measured}".strip()
     if about.why_not and (said := _why_not(about)):
         return said
+    asks = about.asks
+    if shown.facts and (said := decided(asks, about.facts)):
+        return said
     for pattern, answer in TOPICS:
-        if re.search(pattern, question, re.I):
+        if re.search(pattern, question, re.I) and not (answer == _met and asks.fact):
             if answer in NEEDS_RUN and not shown.facts:
                 return "The program has not been run, so nothing is known of that: F5 (or `c2s run`) runs it."
             if said := answer(about):
-                return said
+                return f"{hedged(asks) if answer in HEDGED else ''}{said}"
     if about.why_not and about.named:  # on what S rests is no answer to that
         return UNANSWERED
     of_the_scene = not about.why and (about.named or _OF_THE_SCENE.match(question.strip()))
@@ -117,6 +122,11 @@ class _Asked:
     @property
     def measures(self) -> Measures:
         return next(iter(self.shown.measures), Measures())
+
+    @property
+    def asks(self) -> Question:
+        """What is asked, as far as its words tell."""
+        return read(self.text, self.structure)
 
     @property
     def why(self) -> bool:
@@ -168,12 +178,12 @@ def _collided(asked: _Asked) -> str:
     found = collisions(asked.facts, asked.shown.requirements, bool(asked.structure.text))
     if asked.why and (said := _why_collided(asked, found)):
         return said
-    if asked.two_others:
-        named = {o.name for o in asked.meant}
-        found = tuple(c for c in found if {c.one, c.other} <= named)
+    named, several = {o.name for o in asked.meant}, len({_cid(o) for o in asked.meant}) > 1
+    if named:
+        found = tuple(c for c in found if ({c.one, c.other} <= named if several else named & {c.one, c.other}))
     if not found:
         nearest = " ".join(_pair(p) for p in _pairs(asked)[:1])
-        whose = " of these two" if asked.two_others else ""
+        whose = " of these two" if several else f" of {', '.join(sorted(named))}" if named else ""
         return f"No collision{whose} in the run of {asked.facts.duration:.1f} s. {nearest}".strip()
     return ". ".join(f"{str(c)[0].upper()}{str(c)[1:]}" for c in found) + "."
 
@@ -296,8 +306,11 @@ def _why_not(asked: _Asked) -> str:
     names = {w for c in components for w in _stems(f"{c.id} {getattr(c.spec, 'name', 'ego')} ego")}
     wanted = _stems(asked.text.replace("’", "'").replace("n't", " not")) - names - _stems(_FUNCTION)
     required = {r.id: r for r in asked.shown.requirements}
-    missed = [(len(wanted & _stems(f"{r.text} {r.id.rsplit('.', 1)[-1]}")), r, result) for result in asked.shown.results
-              if not result.holds and (r := required.get(result.requirement)) and (not named or r.component in named)]
+    missed = [
+        (len(wanted & _stems(f"{r.text} {r.id.rsplit('.', 1)[-1]}")), r, result)
+        for result in asked.shown.results
+        if not result.holds and (r := required.get(result.requirement)) and (not named or r.component in named)
+    ]
     most = max((shared for shared, _, _ in missed), default=0)
     if not most:
         return ""
@@ -431,7 +444,8 @@ def _assumed(asked: _Asked) -> str:
 
 
 def _of_s(asked: _Asked) -> str:
-    return yes_or_no(asked.text, asked.structure)
+    of_the_run = asked.asks.fact or asked.asks.measure
+    return "" if of_the_run else yes_or_no(asked.text, asked.structure)
 
 
 def _where(asked: _Asked) -> str:
@@ -475,3 +489,5 @@ TOPICS: tuple[tuple[str, Callable[[_Asked], str]], ...] = (
 )
 """What is asked about, by the words of the field; the first topic that has an answer counts."""
 NEEDS_RUN = (_when, _lasted, _collided, _hidden, _near, _stopped, _fast, _happened)
+HEDGED = (_collided, _near, _braked, _stopped, _fast, _happened)
+"""What gives figures of the run, with no verdict on what was not read."""

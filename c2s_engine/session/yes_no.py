@@ -6,7 +6,7 @@ from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.structure.values import Field, fields
 
-_ASKS = re.compile(r"(?:and |but |so )?(?:is|are|was|were|does|do|did|has|have)\b", re.I)
+_ASKS = re.compile(r"(?:and |but |so )?(?:is|are|was|were|has|have)\b", re.I)
 _SAY_NOTHING = ("yes", "no", "none", "other", "left", "right", "both", "any")
 _TYPE = "type"
 

@@ -50,6 +50,13 @@ def account(structure: Structure, idle: Sequence[Unmet] = ()) -> tuple[Clause, .
     return tuple(_clause(structure, span, idle) for span in covering(structure.text, structure.clauses))
 
 
+def not_wholly(structure: Structure) -> str:
+    """How many clauses of the text nothing, or not all, of S stands for, to follow what S requires; empty for none."""
+    lost = sum(1 for c in account(structure) if c.status not in ("understood", "background"))
+    are = "clauses of the text are" if lost > 1 else "clause of the text is"
+    return f"; {lost} {are} not wholly in S" if lost else ""
+
+
 def covering(text: str, clauses: Sequence[Span] = ()) -> list[Span]:
     """Spans that hold every character of the text but white space, each once: the given ones where they lie in the
     text and do not overlap, and between them what punctuation parts. What has no letter or digit joins a neighbour."""

@@ -3,6 +3,7 @@
 import pytest
 
 from c2s_engine.session.asked import HELP, UNANSWERED, answered, asks_for_account, wants_help
+from c2s_engine.structure.account import not_wholly
 from c2s_engine.structure.components import Assumption, Component, Link, Structure, Unmet
 from c2s_engine.structure.facts import ContactFact, EventFact, ObjectFacts, RunFacts
 from c2s_engine.structure.measures import ActorMeasures, Measures, PairMeasures
@@ -53,7 +54,7 @@ SHOWN = Finished(
      ("was there a collision? and how close did they come?", "not in the text.\nSmallest gap"),
      ("what was the minimum TTC?", "time to collision 0.2 s at 4.0 s"),
      ("how fast was the cyclist?", "cyclist fastest 16 km/h"),
-     ("did ego stop?", "ego does not stop: its slowest is 32 km/h"),
+     ("did ego stop?", "No: ego does not stop in the run."),
      ("what happened?", "2.9 s cyclist enters the road; 3.6 s ego brakes; 4.1 s cyclist hits ego"),
      ("was the cyclist hidden?", "cyclist is in ego's sight from the start."),
      ("did it work?", "0 of 1 requirements met.\nT: Nobody touches anybody."),
@@ -103,6 +104,31 @@ def test_two_others_than_ego_are_answered_for(question, words):
     said = answered(question, TWO_OTHERS.model_copy(update={"measures": (measures,)}))
     assert said.startswith(words)
     assert "between ego and van" not in said
+
+
+@pytest.mark.parametrize(
+    ("question", "words"),
+    [("did ego brake?", "Yes: ego brakes at 3.6 s."),
+     ("did the cyclist brake?", "No: cyclist does not brake in the run."),
+     ("did the van overtake ego?", "No: van does not overtake in the run."),
+     ("did anybody brake?", "Yes: ego brakes at 3.6 s."),
+     ("did anybody else brake?", "No: the run shows of nobody that they brake."),
+     ("did ego brake before the cyclist entered the road?", "No: ego brakes at 3.6 s; cyclist enters the road"),
+     ("did ego brake after the cyclist entered the road?", "Yes: ego brakes at 3.6 s; cyclist enters the road"),
+     ("did the bus stop in time?", "There is no bus in this scene."),
+     ("did ego stop in time?", "No: ego does not stop"),
+     ("did ego brake because of the van?", "I cannot say yes or no: whether “because of the van” is not judged."),
+     ("did ego brake gracefully?", "I cannot say yes or no: “gracefully” was not read. The run: ego brakes at 3.6 s"),
+     ("did the van sing?", "I cannot say yes or no: “sing” was not read. The run: ")],
+)  # fmt: skip
+def test_yes_and_no_only_where_every_word_was_read(question, words):
+    assert answered(question, TWO_OTHERS).startswith(words)
+
+
+@pytest.mark.parametrize("question", ["did the van run the red light?", "did the cyclist cross?",
+                                      "did ego get back in before the van came?"])  # fmt: skip
+def test_what_somebody_is_says_nothing_of_what_he_did(question):
+    assert not answered(question, TWO_OTHERS).startswith("Yes")
 
 
 def test_how_near_two_others_come_may_not_be_known():
@@ -182,6 +208,19 @@ def test_without_a_collision_the_nearest_of_all_is_named_also_one_that_stands():
     assert answered("how close did they come?", shown).startswith("Smallest gap between ego and jam[0]")
 
 
+def test_a_collision_between_two_others_is_none_of_the_one_who_is_asked_about():
+    coach = CYCLIST.model_copy(update={"name": "coach", "component": "O2"})
+    hit = ContactFact(time=4.0, one="coach", other="cyclist", part_one="front", part_other="left")
+    run = SHOWN.facts[0].model_copy(update={"objects": (EGO, CYCLIST, coach), "contacts": (hit,)})
+    other = STRUCTURE.objects[0].model_copy(update={"id": "O2", "spec": ObjectSpec(name="coach", type="bus")})
+    both = STRUCTURE.model_copy(update={"objects": (*STRUCTURE.objects, other)})
+    shown = SHOWN.model_copy(update={"facts": (run,), "structure": both})
+    assert answered("did ego hit anybody?", shown).startswith("No collision of ego in the run")
+    assert answered("did ego hit the coach?", shown).startswith("No collision of these two in the run")
+    assert "4.0 s" in answered("did the coach hit anybody?", shown)
+    assert "4.0 s" in answered("was there a collision?", shown)
+
+
 @pytest.mark.parametrize("question", ["was the cyclist hidden?", "could ego see the cyclist?", "who is occluded?"])
 def test_who_is_hidden_is_answered_from_the_run(question):
     behind = CYCLIST.model_copy(update={"hidden_behind": ("parked_van",)})
@@ -211,3 +250,8 @@ def test_before_a_run_nothing_is_known_of_it():
 def test_help_and_greetings(text, wants):
     assert wants_help(text) is wants
     assert "c2s --help" in HELP
+
+
+def test_the_clauses_that_are_not_wholly_in_s_are_counted():
+    assert not_wholly(Structure()) == ""
+    assert not_wholly(STRUCTURE) == "; 2 clauses of the text are not wholly in S"

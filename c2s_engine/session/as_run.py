@@ -1,12 +1,17 @@
 """S with what its run shows of numbers that S and the writer leave open, so that changes count from what is there."""
 
+from c2s_engine.require.scene import shown_by
 from c2s_engine.structure.components import Assumption, Component, Structure
 from c2s_engine.structure.facts import EGO, ObjectFacts, RunFacts
-from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+
+BRAKES = ("brake", "brake_hard")
+"""The events with which a stop begins."""
 
 
 def as_run(structure: Structure, facts: RunFacts | None) -> Structure:
-    """The structure whose actors have their measured gap and speed among what is assumed, where these are open."""
+    """The structure whose actors have what is measured of them among what is assumed, where it is open: their gap and
+    speed, and when they begin what no trigger of theirs begins."""
     if facts is None:
         return structure
     first: dict[str, ObjectFacts] = {}
@@ -24,9 +29,16 @@ def as_run(structure: Structure, facts: RunFacts | None) -> Structure:
 
 
 def _measured(component: Component, first: dict[str, ObjectFacts]) -> list[Assumption]:
-    """What the run shows of a component: how far it starts from whom it is placed by, and the speed that it holds."""
+    """What the run shows of a component: how far it starts from whom it is placed by, the speed that it holds, and
+    when it does what it does once."""
     found, spec = first[component.id], component.spec
     amounts = {"speed": found.held_speed}
+    phases = spec.phases if isinstance(spec, EgoSpec | ObjectSpec) else ()
+    for i, phase in enumerate(phases):
+        shows = BRAKES if phase.action in ("brake", "stop") else shown_by(phase.action)
+        begun = [e.time for e in found.events if e.event in shows]
+        if phase.trigger is None and begun and [p.action for p in phases].count(phase.action) == 1:
+            amounts[f"phases.{i}.trigger"] = min(begun)
     if isinstance(spec, ObjectSpec):
         other = first.get("E" if spec.placement.of == EGO else spec.placement.of)
         start = found.starts.get(other.name) if other is not None else None

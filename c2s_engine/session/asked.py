@@ -93,7 +93,7 @@ def answered(question: str, shown: Finished | None) -> str:
         return said
     for pattern, answer in TOPICS:
         if re.search(pattern, question, re.I) and not (answer == _met and asks.fact):
-            if answer in NEEDS_RUN and not shown.facts:
+            if (answer in NEEDS_RUN or answer == _braked and not about.why) and not shown.facts:
                 return "The program has not been run, so nothing is known of that: F5 (or `c2s run`) runs it."
             if said := answer(about):
                 return f"{hedged(asks) if answer in HEDGED else ''}{said}"

@@ -239,7 +239,9 @@ def test_other_questions_are_left_to_the_documents_and_to_why(question):
 
 def test_before_a_run_nothing_is_known_of_it():
     fresh = SHOWN.model_copy(update={"facts": (), "measures": (), "results": ()})
-    assert "has not been run" in answered("was there a collision?", fresh)
+    for question in ("was there a collision?", "does ego brake?", "did ego stop?", "how fast is the cyclist?",
+                     "did the cyclist cross the road?", "who braked first?", "when did ego brake?"):  # fmt: skip
+        assert "has not been run" in answered(question, fresh)
     assert "the text does not say" in answered("why does ego brake?", fresh)
     assert answered("was there a collision?", None) == ""
 

@@ -102,6 +102,22 @@ async def test_a_relative_change_counts_from_what_is_there(engine, tmp_path):
     sessions.close()
 
 
+@pytest.mark.parametrize(("said", "shift"), [("brake 2 s later", 2.0), ("brake 1 s earlier", -1.0)])
+async def test_another_moment_counts_from_when_the_run_shows_it(engine, tmp_path, said, shift):
+    sessions = Sessions(tmp_path / "sessions")
+    session = sessions.open("one", engine)
+    told = "Ego follows a truck at 60 km/h on a straight road. The truck brakes hard and stops."
+    done, _ = await take(session.say(told))
+    assert all(p.trigger is None for p in session.structure["O1"].spec.phases)
+    truck = next(o for o in done.facts[0].objects if o.component == "O1")
+    begun = min(e.time for e in truck.events if e.event.startswith("brake"))
+    await take(session.say(f"the truck should {said}", run=False))
+    moments = [p.trigger.value for p in session.structure["O1"].spec.phases if p.trigger]
+    assert moments == [pytest.approx(begun + shift, abs=0.06)]
+    session.close()
+    sessions.close()
+
+
 async def test_undo_with_nothing_to_take_back_is_one_sentence(engine, tmp_path):
     sessions = Sessions(tmp_path / "sessions")
     session = sessions.open("one", engine)

@@ -30,7 +30,7 @@ LASTING = ("keep_lane", "follow", "stationary", "move_along", "oncoming", "wait"
 
 
 def required(scene: Scene) -> Iterator[Requirement]:
-    before: dict[str, str] = {}
+    before: dict[str, tuple[str, Phase]] = {}  # by actor: what is said before, with its phase
     for actor, i, phase in scene.phases():
         path, name = f"phases.{i}", scene.named(actor)
         if phase.action == "overtake" and phase.abandoned:
@@ -45,9 +45,10 @@ def required(scene: Scene) -> Iterator[Requirement]:
         said = phase.action.replace("_", " ")
         stands = phase.until is not None and phase.action == "stationary"  # not for good
         values: dict[str, Value] = {"action": "wait" if stands else phase.action, "events": shows}
-        if actor in before:
-            values["after"] = before[actor]
-            values["again"] = _same_again(scene, actor, i, before[actor])
+        after, one = before.get(actor, (None, None))
+        if after and one:
+            values["after"] = after
+            values["again"] = (one.action, one.target) == (phase.action, phase.target)
         if (change := _change(scene, actor, i)) is not None:
             values["change"] = change
         if phase.action == "stop" and _after_contact(scene, actor, i):
@@ -65,19 +66,12 @@ def required(scene: Scene) -> Iterator[Requirement]:
         yield from moments.required(scene, actor, path, phase, seen.id)
         if phase.action not in LASTING:
             gives_way = phase.action == "yield" and i > 0 and scene.actors[actor].phases[i - 1].action in SLOWS
-            if actor in before and not gives_way:  # slowing down is how it does that
+            if after and not gives_way:  # slowing down is how it does that
                 yield scene.make("order", "in_order", actor, f"{path}.order", f"{name}: {said} comes after what is "
-                                 "said before it.", first=before[actor], second=seen.id)  # fmt: skip
-            before[actor] = seen.id
+                                 "said before it.", first=after, second=seen.id)  # fmt: skip
+            before[actor] = seen.id, phase
     yield from _awaited(scene)
     yield from moments.delays(scene)
-
-
-def _same_again(scene: Scene, actor: str, i: int, before: str) -> bool:
-    """Whether a phase is what is said before it (its requirement), once more."""
-    phases = scene.actors[actor].phases
-    one = phases[int(before.split(".")[2])]
-    return (one.action, one.target) == (phases[i].action, phases[i].target)
 
 
 def _leaves_later(scene: Scene, actor: str, i: int) -> bool:

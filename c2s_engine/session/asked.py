@@ -3,8 +3,9 @@
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
-from c2s_engine.session.decided import decided, hedged
+from c2s_engine.session.decided import decided, hedged, shown_of
 from c2s_engine.session.glossary import meaning
 from c2s_engine.session.question import Question, read
 from c2s_engine.session.why import explained
@@ -12,11 +13,12 @@ from c2s_engine.session.yes_no import yes_or_no
 from c2s_engine.structure.account import STATUS_WORDS, Clause, account
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.facts import EGO, EventFact, ObjectFacts, RunFacts
-from c2s_engine.structure.happening import USUAL, WORDS, ended, told
+from c2s_engine.structure.happening import USUAL, ended, told
 from c2s_engine.structure.measures import ActorMeasures, Collision, Measures, PairMeasures, collisions
 from c2s_engine.structure.progress import Finished
 from c2s_engine.structure.requirements import failures, tally
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+from c2s_engine.structure.stems import stems
 
 HELP = (
     "Describe a scene (“Ego drives at 50 km/h; a cyclist crosses from the right”), change it (“make the cyclist a "
@@ -88,15 +90,14 @@ def answered(question: str, shown: Finished | None) -> str:
         return f"{entry}\n{measured}".strip()
     if about.why_not and (said := _why_not(about)):
         return said
-    asks = about.asks
-    if shown.facts and (said := decided(asks, about.facts)):
+    if shown.facts and (said := decided(about.asks, about.facts)):
         return said
     for pattern, answer in TOPICS:
-        if re.search(pattern, question, re.I) and not (answer == _met and asks.fact):
+        if re.search(pattern, question, re.I) and not (answer == _met and about.asks.fact):
             if (answer in NEEDS_RUN or answer == _braked and not about.why) and not shown.facts:
                 return "The program has not been run, so nothing is known of that: F5 (or `c2s run`) runs it."
             if said := answer(about):
-                return f"{hedged(asks) if answer in HEDGED else ''}{said}"
+                return f"{hedged(about.asks) if answer in HEDGED else ''}{said}"
     if about.why_not and about.named:  # on what S rests is no answer to that
         return UNANSWERED
     of_the_scene = not about.why and (about.named or _OF_THE_SCENE.match(question.strip()))
@@ -123,7 +124,7 @@ class _Asked:
     def measures(self) -> Measures:
         return next(iter(self.shown.measures), Measures())
 
-    @property
+    @cached_property
     def asks(self) -> Question:
         """What is asked, as far as its words tell."""
         return read(self.text, self.structure)
@@ -303,14 +304,11 @@ def _why_not(asked: _Asked) -> str:
     was shown, or is not required."""
     components = [c for c in asked.structure.components if c.kind in "EO"]
     named = {c.id for c in components if asked.names(c)}
-    names = {w for c in components for w in _stems(f"{c.id} {getattr(c.spec, 'name', 'ego')} ego")}
-    wanted = _stems(asked.text.replace("’", "'").replace("n't", " not")) - names - _stems(_FUNCTION)
+    names = {w for c in components for w in stems(f"{c.id} {getattr(c.spec, 'name', 'ego')} ego")}
+    wanted = stems(asked.text.replace("’", "'").replace("n't", " not")) - names - stems(_FUNCTION)
     required = {r.id: r for r in asked.shown.requirements}
-    missed = [
-        (len(wanted & _stems(f"{r.text} {r.id.rsplit('.', 1)[-1]}")), r, result)
-        for result in asked.shown.results
-        if not result.holds and (r := required.get(result.requirement)) and (not named or r.component in named)
-    ]
+    missed = [(len(wanted & stems(f"{r.text} {r.id.rsplit('.', 1)[-1]}")), r, result) for result in asked.shown.results
+              if not result.holds and (r := required.get(result.requirement)) and (not named or r.component in named)]
     most = max((shared for shared, _, _ in missed), default=0)
     if not most:
         return ""
@@ -354,23 +352,12 @@ def _stopped(asked: _Asked) -> str:
 
 
 def _when(asked: _Asked) -> str:
-    """When what the question names happened: the events that share most words with it."""
-    names = {w for o in asked.facts.objects for w in _stems(o.name)} | _stems("ego the of in at and road ahead lane")
-    wanted = _stems(asked.text) - names
-    found = [(len(wanted & _stems(WORDS.get(e.event, e.event))), o.name, e) for o in asked.actors for e in o.events]
-    most = max((shared for shared, _, _ in found), default=0)
-    if not most:
+    """When what the question names happened."""
+    found = shown_of(asked.asks, asked.facts) if asked.asks.fact else []
+    if not found:
         return ""
-    best = sorted(((name, e) for shared, name, e in found if shared == most), key=lambda f: f[1].time)
-    said = "; ".join(f"{name} {_event(e)}" for name, e in best[:6]) + "."
+    said = "; ".join(f"{o.name} {_event(e)}" for o, e in found[:6]) + "."
     return f"{said} {_fast(asked)}".strip() if re.search(_FAST, asked.text, re.I) else said
-
-
-def _stems(text: str) -> set[str]:
-    """The words of a text without the endings of verbs."""
-    words = re.findall(r"[a-z]+", text.lower().replace("_", " "))
-    stems = (re.sub(r"(?:ing|es|ed|s|e)$", "", w) if len(w) > 3 else w for w in words)
-    return {re.sub(r"([^aeiou])\1$", r"\1", w) for w in stems}  # "stopped"
 
 
 def _lasted(asked: _Asked) -> str:

@@ -12,14 +12,13 @@ CONTACT = "hits"
 
 def decided(asks: Question, facts: RunFacts) -> str:
     """Yes or no with what the run shows; empty where the question is not about an event, or leaves something open."""
-    if asks.form != "whether" or asks.fact is None:
+    if not asks.whether or asks.fact is None:
         return ""
     if asks.absent:
         return f"There is no {asks.absent} in this scene."
     if asks.unread or asks.negated or asks.order or asks.measure or CONTACT in asks.fact.events:
         return ""
-    doers = _objects(asks.subject, facts)
-    found = _shown(asks, doers, facts)
+    doers, found = _objects(asks.subject, facts), shown_of(asks, facts)
     if not found:
         return _denied(asks, doers)
     if asks.aside:
@@ -36,7 +35,7 @@ def decided(asks: Question, facts: RunFacts) -> str:
 
 def hedged(asks: Question) -> str:
     """What of a question about the run is not judged, told before the figures; empty where all of it was read."""
-    if asks.form != "whether" or not (asks.fact or asks.unread):
+    if not asks.whether or not (asks.fact or asks.unread):
         return ""
     if asks.unread:
         return f"I cannot say yes or no: “{asks.unread}” was not read. The run: "
@@ -50,9 +49,10 @@ def _objects(party: Party, facts: RunFacts) -> list[ObjectFacts]:
     return [o for o in facts.objects if o.moves and not (party.others and o.name == EGO)]
 
 
-def _shown(asks: Question, doers: Sequence[ObjectFacts], facts: RunFacts) -> list[tuple[ObjectFacts, EventFact]]:
-    """The events that are asked for, in the order of time."""
+def shown_of(asks: Question, facts: RunFacts) -> list[tuple[ObjectFacts, EventFact]]:
+    """The events that are asked for, with whose they are, in the order of time."""
     assert asks.fact is not None
+    doers = _objects(asks.subject, facts)
     others = {o.name for o in _objects(asks.object, facts)} if asks.object.cids else None
     found = [(o, e) for o in doers for e in o.events if e.event in asks.fact.events
              and (others is None or e.other is None or e.other in others)]  # fmt: skip
@@ -66,10 +66,9 @@ def _denied(asks: Question, doers: Sequence[ObjectFacts]) -> str:
     unsought = asks.object.cids and "E" not in named and of_ego_alone() & set(asks.fact.events)
     if not doers or unsought:
         return ""
-    who = ", ".join(o.name for o in doers) if asks.subject.cids else "nobody"
-    does = "do" if len(doers) > 1 and asks.subject.cids else "does"
-    if who == "nobody":
+    if not asks.subject.cids:
         return f"No: the run shows of nobody that they {asks.fact.verb}."
+    who, does = ", ".join(o.name for o in doers), "do" if len(doers) > 1 else "does"
     return f"No: {who} {does} not {asks.fact.verb} in the run."
 
 

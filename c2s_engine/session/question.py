@@ -3,25 +3,22 @@ data/asked.yaml. What of it was not read is kept: no yes or no is given where so
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache
 from typing import Any, Literal
 
 import yaml
 
 from c2s_engine import paths
+from c2s_engine.dryrun.events.table import definitions
 from c2s_engine.interpret.language import actor_nouns
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.stems import stem
 
-Form = Literal["whether", "who", "when", "other"]
 _WORD = re.compile(r"\d+(?:\.\d+)?|(?:km/h|m/s[2²]?)|o\d+\b|[a-z]+(?:[-'][a-z]+)*", re.I)
 _NUMBER = re.compile(r"\d")
-_FORMS: tuple[tuple[Form, str], ...] = (
-    ("whether", r"(?:is|are|was|were|does|do|did|has|have)(?:n't)?\b"),
-    ("who", r"(?:who|which)\b"),
-    ("when", r"(?:when|at (?:what|which) (?:time|moment))\b"),
-)
+_WHETHER = re.compile(r"(?:is|are|was|were|does|do|did|has|have)(?:n't)?\b")
 LONGEST = 5
 """Words that mean one thing together."""
 
@@ -48,9 +45,10 @@ class Party:
 
 @dataclass(frozen=True)
 class Question:
-    """`moment`: its word, the fact and whose; `aside`: what restricts the question and cannot be told from a run."""
+    """`whether`: yes or no is asked; `moment`: its word, the fact and whose; `aside`: what restricts the question and
+    cannot be told from a run."""
 
-    form: Form
+    whether: bool
     fact: Fact | None = None
     measure: str = ""
     subject: Party = Party()
@@ -65,7 +63,7 @@ class Question:
     negated: bool = False
 
 
-@dataclass
+@dataclass(frozen=True)
 class _Part:
     """Words of the question that mean one thing."""
 
@@ -75,9 +73,9 @@ class _Part:
     value: Any = None
 
 
-@dataclass
+@dataclass(frozen=True)
 class _Words:
-    parts: list[_Part] = field(default_factory=list)
+    parts: list[_Part]
 
     def of(self, *kinds: str) -> list[_Part]:
         return [p for p in self.parts if p.kind in kinds]
@@ -94,23 +92,13 @@ def _table() -> Any:
 @cache
 def takes_another() -> frozenset[str]:
     """The events that name another party."""
-    events = yaml.safe_load(paths.shipped("events.yaml").read_text("utf-8"))
-    return frozenset(name for name, event in events.items() if event.get("other"))
+    return frozenset(name for name, event in definitions().items() if event.other)
 
 
 @cache
 def of_ego_alone() -> frozenset[str]:
     """Those of them that are looked for between ego and others, not between any two."""
-    events = yaml.safe_load(paths.shipped("events.yaml").read_text("utf-8"))
-    return frozenset(name for name in takes_another() if "(ego" in events[name]["holds"])
-
-
-def stem(word: str) -> str:
-    """A word without the ending of a verb or a plural."""
-    word = _table()["forms"].get(word, word)
-    if len(word) > 3:
-        word = re.sub(r"(?:ing|es|ed|(?<!s)s|e)$", "", word)
-    return re.sub(r"([^aeious])\1$", r"\1", word)  # "stopped"
+    return frozenset(name for name in takes_another() if "(ego" in definitions()[name].holds)
 
 
 @cache
@@ -129,13 +117,13 @@ def _known() -> dict[tuple[str, ...], tuple[str, Any]]:
 
 
 def _stems(text: str) -> tuple[str, ...]:
-    return tuple(stem(word) for word in text.lower().split())
+    forms = _table()["forms"]
+    return tuple(stem(forms.get(word, word)) for word in text.lower().split())
 
 
 def read(question: str, structure: Structure) -> Question:
     """What is asked, as far as its words tell."""
     plain = re.sub(r"^\s*(?:and|but|so|then|or)\s+", "", question.replace("’", "'").strip().rstrip("?!. ")).lower()
-    form: Form = next((name for name, pattern in _FORMS if re.match(pattern, plain)), "other")
     words = _Words(_parts(plain, structure))
     main = words.first("fact", "measure")
     moment = next((p for p in words.of("moments") if main and p.at > main.at), None)
@@ -154,7 +142,7 @@ def read(question: str, structure: Structure) -> Question:
     extra = [p.text for p in body.parts if p.kind == "unread"]
     extra += [p.text for p in body.of("fact", "measure") if p is not main and p.value != getattr(main, "value", 0)]
     return Question(
-        form=form, fact=fact,
+        whether=_WHETHER.match(plain) is not None, fact=fact,
         measure=str(main.value) if main and main.kind == "measure" else quantity.value if quantity else "",
         subject=subject, object=object_, moment=moment.text if moment else "", moment_fact=moment_fact,
         moment_subject=_party(later.parts) if moment else Party(),
@@ -184,13 +172,14 @@ def _parts(plain: str, structure: Structure) -> list[_Part]:
 def _meant(plain: str, taken: list[re.Match[str]], named: dict[tuple[str, ...], tuple[str, ...]]) -> _Part | None:
     """What some words mean together; None where nothing."""
     words, start = [m[0] for m in taken], taken[0].start()
-    text, stems = " ".join(words), tuple(stem(w) for w in words)
-    if stems in named:
-        return _Part("name", text, start, named[stems])
+    text = " ".join(words)
+    stemmed = _stems(text)
+    if stemmed in named:
+        return _Part("name", text, start, named[stemmed])
     if len(words) == 2 and _NUMBER.match(words[0]) and words[1] in _table()["units"]:
         return _Part("quantity", text, start, _table()["units"][words[1]])
     noun = words[-1].endswith("ing") and re.search(r"\b(?:a|an|the) $", plain[:start])  # "the crossing"
-    if (known := _known().get(stems)) and not noun:
+    if (known := _known().get(stemmed)) and not noun:
         kind, value = known
         if kind == "order" and plain[:start].rstrip().endswith("the"):  # "the last car"
             return _Part("unread", text, start)

@@ -8,7 +8,7 @@ from c2s_engine.interpret.changes.forms import Found, name_of, quantity_of
 from c2s_engine.interpret.changes.refer import actions_of, doing, refer, spec_of
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import SetField
-from c2s_engine.structure.quantity import Quantity, middle
+from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import Phase, Trigger
 
 
@@ -30,7 +30,7 @@ def shifted(clause: str, structure: Structure) -> Found | None:
     seconds, metres = quantity_of(clause, "time"), quantity_of(clause, "distance")
     if number is None:
         return None
-    begins = component.amount(f"phases.{number}.trigger")
+    begins = middle(component.amount(f"phases.{number}.trigger") or 0.0)
     if (moved := another_moment(phases[number], seconds, metres, later, begins)) is None:
         return None
     value = (*phases[:number], moved, *phases[number + 1 :])
@@ -47,17 +47,16 @@ def _whose(clause: str, who: str | None, structure: Structure) -> Component | No
 
 
 def another_moment(
-    phase: Phase, seconds: dict[str, Any] | None, metres: dict[str, Any] | None, later: bool,
-    begins: Quantity | None = None,
-) -> Phase | None:  # fmt: skip
-    """The phase with another moment; `begins`: s after the start at which the run shows it, where it waits for nothing;
-    None where it cannot begin any earlier, or waits for another's act."""
+    phase: Phase, seconds: dict[str, Any] | None, metres: dict[str, Any] | None, later: bool, begins: float
+) -> Phase | None:
+    """The phase with another moment; `begins`: s after the start at which the run shows it, where it waits for nothing
+    (0: there is no run); None where it cannot begin any earlier, or waits for another's act."""
     old = phase.trigger
     if old is None:
         by = seconds["low"] if seconds else 2.0
-        moment = round((middle(begins) if begins is not None else 0.0) + (by if later else -by), 1)
-        trigger = Trigger(kind="time", value=moment) if moment > 0 and not metres else None
-        return phase.model_copy(update={"trigger": trigger}) if trigger else None
+        moment = round(begins + (by if later else -by), 1)
+        trigger = Trigger(kind="time", value=moment)
+        return phase.model_copy(update={"trigger": trigger}) if moment > 0 and not metres else None
     if old.kind == "action" or old.value is None:
         return None
     value = middle(old.value)

@@ -304,7 +304,7 @@ class Engine:
         more), or to what the text changes in the S upon which it is said. Raises Unreadable."""
         from c2s_engine.session.no_effect import changes_nothing, without_effect
 
-        if upon is None or not upon.text and not upon.objects:
+        if upon is None or upon.blank:
             return await without_effect(text, self.tools)
         return await changes_nothing(text, upon, self.tools)
 

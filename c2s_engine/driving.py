@@ -91,14 +91,18 @@ def inlined(program: str) -> str:
     if not used_by(program):
         return program
     parts = {name: part for part in _parts() for name in _names(part)}
-    wanted: set[str] = set()
-    todo = [_IMPORTS.sub("", program)]
+    called = dict(re.findall(r"(\w+) as (\w+)", "".join(_IMPORTS.findall(program))))  # where it has another such name
+    wanted = set(called)
+    todo = [_IMPORTS.sub("", program), *(parts[name] for name in called if name in parts)]
     while todo:
         for word in set(re.findall(r"\w+", todo.pop())) & parts.keys() - wanted:
             wanted.add(word)
             todo.append(parts[word])
     kept = "\n".join(part.rstrip("\n") + "\n" for part in _parts() if not _names(part) or wanted & set(_names(part)))
-    return _IMPORTS.sub(lambda _: f"\n# From {FILE}\n{kept}\n", program, count=1)
+    kept = re.sub(r"(?<![.\w])[A-Za-z_]\w*", lambda m: called.get(m[0], m[0]), kept)
+    first, *others = _IMPORTS.findall(program)
+    program = program.replace(first, f"\n# From {FILE}\n{kept}\n", 1)
+    return "".join(line for line in program.splitlines(keepends=True) if line not in others)
 
 
 @functools.cache

@@ -56,15 +56,17 @@ class _Walking(_Acting, Walks):
         self.control.speed = speed
 
 
-KINDS = {"car": _Driving, "walker": _Walking, "prop": _Acting}
+DRIVEN = ("car", "van", "truck", "bus", "motorcycle", "bicycle")
+KINDS = {**dict.fromkeys(DRIVEN, _Driving), "walker": _Walking, "prop": _Acting}
 
 
 def kind_of(obj: Any) -> str | None:
-    """car, walker or prop; None for an object of CARLA's world model, whose blueprint tells more."""
+    """What a vehicle's class is called (a car, if nothing else), walker or prop; None for an object of CARLA's world
+    model, whose blueprint tells more."""
     if hasattr(obj, "carlaActor"):
         return None
     if getattr(obj, "isVehicle", False):
-        return "car"
+        return next((name for cls in type(obj).__mro__ if (name := cls.__name__.lower()) in DRIVEN), "car")
     return "walker" if any(cls.__name__ == "Pedestrian" for cls in type(obj).__mro__) else "prop"
 
 

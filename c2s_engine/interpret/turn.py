@@ -92,7 +92,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
         return Turn("edit", *edits_said, whole)
     if asked.asks(plain):
         return Turn("question", span=whole)
-    if structure is None or not structure.text and not structure.objects:
+    if structure is None or structure.blank:
         return Turn("scenario", span=whole)
     demanded = asked.demanded(plain)
     plain = notes.text_of(demanded, structure)

@@ -88,7 +88,7 @@ def _nothing_came(finished: Finished, turn: "_Next") -> bool:
 
 def _replaced(structure: Structure) -> str:
     """That a text was taken as a new description, and who is gone by that; empty where there was nothing."""
-    if not structure.text and not structure.objects:
+    if structure.blank:
         return ""
     named = [f"{o.id} ({getattr(o.spec, 'name', o.id).replace('_', ' ')})" for o in structure.objects]
     gone = f"{', '.join(named[:-1])} and {named[-1]}" if len(named) > 1 else "".join(named) or "what was there"

@@ -146,6 +146,11 @@ class Structure(Frozen):
     def ids(self) -> tuple[ComponentId, ...]:
         return tuple(c.id for c in self.components)
 
+    @property
+    def blank(self) -> bool:
+        """Whether there is nothing yet: no text, no object, no code of somebody's own."""
+        return not self.text and not self.objects and not any(c.code.strip() for c in self.components)
+
     def __getitem__(self, cid: ComponentId) -> Component:
         for component in self.components:
             if component.id == cid:

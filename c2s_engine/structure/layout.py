@@ -25,11 +25,11 @@ def pieces(structure: Structure) -> list[Piece]:
         return _ended(_in_order(components.values()))
     placed = _with_present_code(structure, components)
     there = {cid for cid, _ in placed}
-    before = FREE
+    before: set[ComponentId] = set()
     for cid, component in components.items():
         if cid not in there:
             _insert(placed, before, component)
-        before = cid
+        before.add(cid)
     return _ended(placed)
 
 
@@ -166,9 +166,9 @@ def _spread(parts: list[tuple[int, str]], code: str) -> dict[int, str]:
     return texts
 
 
-def _insert(placed: list[Piece], before: ComponentId, component: Component) -> None:
-    """Put what is new after another component's last piece."""
-    at = max((i + 1 for i, (cid, _) in enumerate(placed) if cid == before), default=0)
+def _insert(placed: list[Piece], before: set[ComponentId], component: Component) -> None:
+    """Put what is new after the last piece of those before it, which it may read."""
+    at = max((i + 1 for i, (cid, _) in enumerate(placed) if cid in before), default=0)
     new = [(component.id, component.code.rstrip("\n") + "\n")]
     if at and not placed[at - 1][1].endswith("\n\n"):
         new.insert(0, (FREE, "\n"))

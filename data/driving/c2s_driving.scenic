@@ -17,7 +17,7 @@ from xml.etree import ElementTree
 import numpy
 import shapely.geometry
 
-from scenic.core.distributions import distributionFunction
+from scenic.core.distributions import RejectionException, distributionFunction
 from scenic.core.vectors import Vector
 from scenic.domains.driving.actions import SetReverseAction, SetSpeedAction, SetSteerAction, SetVelocityAction
 from scenic.domains.driving.actions import SetWalkingDirectionAction, SetWalkingSpeedAction
@@ -1133,6 +1133,8 @@ class Place(object):
         section = self.lane.sections[-1 if self.turn else 0]
         for _ in range(abs(steps)):
             section = section._fasterLane if steps > 0 else section._slowerLane
+            if section is None:
+                raise RejectionException('there is no such lane beside that of the car')
         return self.as_long(section.lane)
 
     def as_long(self, lane, turned=False):
@@ -1161,6 +1163,8 @@ class Place(object):
     @property
     def oncoming_lane(self) -> Lane:
         """The innermost lane of the other direction."""
+        if self.lane.group._opposite is None:
+            raise RejectionException('there is no oncoming lane beside that of the car')
         innermost = next(o for o in self.lane.group.opposite.lanes if o.sections[0]._fasterLane is None)
         return self.as_long(innermost, turned=True)
 
@@ -1191,6 +1195,38 @@ Place.__annotations__ = {
     **dict.fromkeys(('mark', 'left_pocket_offset', 'right_pocket_offset', 'opposite_pocket_offset'), float),
     'turn': Maneuver, 'others': typing.List[Lane],
 }
+
+BEHIND, AHEAD = 60, 400  # m: how far there is a lane behind and ahead of a car whose place is asked for, if there is
+
+def _place_of(car, turn=None, others=()) -> Place:
+    """The place at which a car stands that a program put anywhere: its lane, on over the junctions ahead, straight; or,
+    with a `turn`, up to the next junction over which there is such a way, with `others` (a list of `From`) to meet."""
+    lane = network.laneAt(car.position) or min(network.lanes, key=lambda each: distance from car to each)
+    before = _metres_along(lane, car)
+    if turn:
+        while not any(m.type is turn and m.intersection for m in lane.maneuvers):
+            step = onward(lane, True)
+            if not step or before > AHEAD:
+                raise RejectionException('there is no junction with such a way ahead of the car')
+            before, lane = before + lane.centerline.length, step.endLane
+        way_over = next(m for m in lane.maneuvers if m.type is turn and m.intersection)
+        reached = [(other, other.lane_to(way_over)) for other in others]
+        if not all(found for _, found in reached):
+            raise RejectionException('nobody can reach the junction ahead of the car by such a way')
+        metres = before + lane.centerline.length + BEHIND
+        return Place(lengthened(lane, metres, False, True), way_over, others=reached, longer=(metres, False, True))
+    while before < BEHIND and leading_to(lane, True):
+        lane = leading_to(lane, True).startLane
+        before += lane.centerline.length
+    return Place(lengthened(lane, before + AHEAD, True, True), longer=(before + AHEAD, True, True))
+
+def _metres_along(lane, car) -> float:
+    """How far (m) along a lane a car stands."""
+    return lane.centerline.lineString.project(shapely.geometry.Point(car.position.x, car.position.y))
+
+place_of = distributionFunction(_place_of)
+
+metres_along = distributionFunction(_metres_along)
 
 SHORT, LONG = 60, 140  # m: ways of others that are shorter go on over the roads before them, so far
 

@@ -24,6 +24,8 @@ TURNS = {
     "two_walkers": [("O3", "type", "truck", {"new Van": "new Truck"}),
                     ("E", "speed", 6, {"param EGO_SPEED = 8": "param EGO_SPEED = 6"}),
                     ("T", "duration", 10, {"after 15": "after 10"})],
+    "ego_alone": [("T", "duration", 10, {"after 12": "after 10"})],
+    "names_of_its_own": [("O1", "speed", 7, {"target_speed=8": "target_speed=7"})],
 }  # fmt: skip
 
 

@@ -68,9 +68,14 @@ def call(plan: Plan, share: float = 0.0, across: bool = False) -> Call:
         least=plan.before + EGO_VARIES + plan.reach if plan.reach > 0 else 0.0,
         approach=high(plan.distance) + plan.before if plan.distance is not None else 0.0,
         exit_room=0 if short else plan.exit_room,
-        others=tuple(_from(plan, position, turn) for position, turn in plan.ways_of_others),
+        others=sources(plan),
         more=more,
     )
+
+
+def sources(plan: Plan) -> tuple[str, ...]:
+    """The ways by which others reach ego's junction, as the library takes them."""
+    return tuple(_from(plan, position, turn) for position, turn in plan.ways_of_others)
 
 
 def _ordinary(plan: Plan) -> bool:

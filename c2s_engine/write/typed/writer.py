@@ -9,6 +9,7 @@ from c2s_engine.maps.expressions import STRETCHES
 from c2s_engine.maps.extras import MapExtras
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.program import border
+from c2s_engine.write.typed.among import among
 from c2s_engine.write.typed.decided import with_decisions
 from c2s_engine.write.typed.ego import write_ego
 from c2s_engine.write.typed.objects import write_object
@@ -69,7 +70,7 @@ class TypedWriter:
         if cid == "T":
             return write_restrictions(structure, plan)
         if cid.startswith("O"):
-            return write_object(structure, cid, plan)
+            return among(structure, cid, write_object(structure, cid, plan), plan)
         return write_place(plan)
 
     def decided(self, structure: Structure) -> Structure:

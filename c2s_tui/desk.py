@@ -4,7 +4,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from c2s_engine.check.protocol import CheckReport
-from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.components import Component, Structure, Unmet
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.facts import RunFacts, Trajectories
 from c2s_engine.structure.measures import Collision, Measures, SeedResult, collisions
@@ -57,6 +57,7 @@ class Desk:
     seconds: float = 0.0
     stale: bool = False  # a turn has begun and not yet measured anything: the verdicts are those before it
     folder: str | None = None  # where the program's map lies
+    idle: tuple[Unmet, ...] = ()  # phrases of S's text without which S would be the same, once they were looked for
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
@@ -107,7 +108,8 @@ def _other(desk: Desk, structure: Structure) -> Desk:
     """With another S: what was measured of the one before goes."""
     specs = [c.spec for c in structure.components]
     same = specs == [c.spec for c in desk.structure.components]
-    return replace(desk if same else _fresh(desk), structure=structure)
+    idle = desk.idle if structure.text == desk.structure.text else ()
+    return replace(desk if same else _fresh(desk), structure=structure, idle=idle)
 
 
 def opened(structure: Structure, program: Program) -> Desk:

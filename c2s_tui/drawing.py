@@ -54,5 +54,5 @@ class Drawing(Part):
         getattr(self.bench, name).show(self.desk)
 
     def _words(self) -> None:
-        self.chat.show(self.desk.structure, self.bench.here)
+        self.chat.show(self.desk.structure, self.desk.idle, self.bench.here)
         self.bench.show_status()

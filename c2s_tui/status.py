@@ -6,6 +6,7 @@ from typing import Any
 from textual.content import Content
 from textual.widgets import Static
 
+from c2s_engine.structure.account import not_wholly
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.requirements import tally
 from c2s_tui.desk import Desk
@@ -82,7 +83,10 @@ def line(desk: Desk, choice: Choice, working: str, width: int, choosing: str = "
         add((str(hit), "$muted" if hit.said else "bold $text-error"))
     seen, required = tally(desk.results)
     if required:
-        add((f"{seen} of {required} requirements met", "$text-success" if seen == required else "$text-warning"))
+        lost = not_wholly(desk.structure, desk.idle)
+        short = f"; {lost} clause{'s' * (lost > 1)} lost" if lost else ""
+        whole = seen == required and not lost
+        add((f"{seen} of {required} requirements met{short}", "$text-success" if whole else "$text-warning"))
     if against := [c.id for c in desk.structure.components if c.conflict is not None]:
         said = f"{mark('conflict')} {', '.join(against)}: "
         add((said + (f"code or fields? {choosing} chooses" if width >= 100 else choosing), "bold $text-error"))

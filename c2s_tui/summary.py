@@ -2,7 +2,7 @@
 
 from collections import Counter
 
-from c2s_engine.structure.account import not_wholly
+from c2s_engine.structure.account import requirements_met
 from c2s_engine.structure.components import given_up
 from c2s_engine.structure.requirements import failures, tally
 from c2s_tui.desk import Desk
@@ -39,7 +39,7 @@ def summary(desk: Desk, back: str = "") -> tuple[str, str]:
         parts += passed[-1:]
     seen, required = tally(desk.results)
     if required:
-        parts.append(f"{seen} of {required} requirements met{_fewer(desk)}{not_wholly(desk.structure)}")
+        parts.append(f"{requirements_met(desk.structure, desk.results, desk.idle)}{_fewer(desk)}")
     left = given_up(desk.structure)
     if left and desk.stages:
         parts.append(f"given up: {', '.join(left)}")

@@ -5,6 +5,7 @@ import contextlib
 import re
 from collections.abc import AsyncIterator, Callable, Sequence
 from contextlib import aclosing
+from dataclasses import replace
 from functools import partial
 from time import monotonic
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,7 @@ from c2s_tui.facade import EngineFacade
 from c2s_tui.part import Part, background, sentence
 
 if TYPE_CHECKING:
+    from c2s_tui.chat.bubbles import Line
     from c2s_tui.workbench import Workbench
 
 _BACK = re.compile(r"(?:please )?(undo|redo)(?: (?:it|that|this|the last (?:change|edit|turn)))?[.!]?")
@@ -90,7 +92,8 @@ class Turns(Part):
                 self.bench.drafts.save()  # what was applied is no draft any more, also after a crash
                 await self.chat.end()
             if finished:
-                await self.summarise(label)
+                self.desk = replace(self.desk, idle=self.session.idle or ())
+                closing = await self.summarise(label)
                 self.desk = desks.as_it_was(self.desk, self.session)
                 self.bench.show()
                 self.bench.running.find_gaps()
@@ -98,7 +101,7 @@ class Turns(Part):
                 now = self.desk.structure
                 if now != before and self.bench.choices.choice.method == "embedded":
                     if now.text not in ("", before.text):
-                        self.name_what_has_no_effect(now.text)
+                        self.name_what_has_no_effect(now.text, closing=closing)
                     elif said:
                         self.name_what_has_no_effect(said, before)
         then, self.then = self.then, ""
@@ -106,9 +109,13 @@ class Turns(Part):
             await self.bench.run_command(then)
 
     @background("no_effect")
-    async def name_what_has_no_effect(self, text: str, upon: Structure | None = None) -> None:
-        """When a description, or a change of S (`upon`), was read, say which of its words make no difference."""
+    async def name_what_has_no_effect(
+        self, text: str, upon: Structure | None = None, closing: "Line | None" = None
+    ) -> None:
+        """When a description, or a change of S (`upon`), was read, say which of its words make no difference; those of
+        a description count in the line that closed its turn, too."""
         from c2s_engine.session.no_effect import told
+        from c2s_tui.summary import summary
 
         now, turn, session = self.desk.structure, self.count, self.session
         found: tuple[Unmet, ...]
@@ -121,6 +128,10 @@ class Turns(Part):
         except (ValueError, OSError):
             return  # what cannot be read is said by the turn
         if found and turn == self.count and now == self.desk.structure:
+            if closing is not None:
+                self.desk = replace(self.desk, idle=found)
+                closing.say(summary(self.desk)[0])
+                self.bench.show()
             await self.chat.note(told(found, of=text), "note")
 
     async def _take(self, event: Progress) -> None:
@@ -137,12 +148,12 @@ class Turns(Part):
             structure = apply(structure, edit)
         return structure
 
-    async def summarise(self, label: str = "") -> None:
+    async def summarise(self, label: str = "") -> "Line | None":
+        """The line that closes a turn."""
         from c2s_tui.summary import summary
 
         text, kind = summary(self.desk, self._gone_back(label))
-        if text:
-            await self.chat.note(text, kind)
+        return await self.chat.note(text, kind) if text else None
 
     def _gone_back(self, label: str) -> str:
         """Where in the session's history a turn of that label led, in words; empty for one that did something new."""

@@ -3,6 +3,7 @@
 import sys
 import traceback
 from collections.abc import Awaitable, Callable
+from dataclasses import replace
 from difflib import get_close_matches
 from pathlib import Path
 from time import monotonic
@@ -144,7 +145,7 @@ class Workbench(Screen):
         self.drafts.opened(session)
         self.desk = desks.opened(session.structure, session.program)
         self.code.empty()
-        self.desk = desks.restored(self.desk, session)
+        self.desk = replace(desks.restored(self.desk, session), idle=session.idle or ())
         self.chat.border_subtitle = session.name
         self.show()
 
@@ -229,7 +230,7 @@ class Workbench(Screen):
         if event.source != "code":
             self.code.point(event.cid, event.line)
         self.here = event.cid
-        self.chat.show(self.desk.structure, self.here)
+        self.chat.show(self.desk.structure, self.desk.idle, self.here)
 
     @on(CommandAsked)
     async def _command_asked(self, event: CommandAsked) -> None:

@@ -189,6 +189,6 @@ def _report(done: Finished, to: Console) -> None:
     show.stages(done.stages, to)
     show.diagnostics(done.diagnostics, to)
     show.cost(done.details, to)
-    show.outcome(done.structure, done.facts, done.requirements, done.results, done.measures, to)
-    show.without_effect(done.details.get("without_effect", ()), to)
+    idle = done.details.get("without_effect", ())
+    show.outcome(done.structure, done.facts, done.requirements, done.results, done.measures, to, idle)
     show.contradictions(done.details, to)

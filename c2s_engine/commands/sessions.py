@@ -4,7 +4,7 @@ import asyncio
 import contextlib
 import difflib
 import json
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Sequence
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -99,8 +99,7 @@ def edit(
             if missing := lacking(output):
                 err.print(Text(told_lacking(missing), style="yellow"))
         if not as_json:
-            _print(session)
-            show.without_effect(done.details.get("without_effect", ()) if done else ())
+            _print(session, done.details.get("without_effect", ()) if done else ())
             show.contradictions(done.details if done else {})
     code_of = OK if done is None else exit_code(done)
     if code_of != OK and told and not as_json:  # what stands above is of S as it was
@@ -330,11 +329,16 @@ def _as_dict(session: "Session", done: Finished | None) -> dict[str, Any]:
     return {**as_dict(state), "session": session.name, "history": history}
 
 
-def _print(session: "Session") -> None:
+def _print(session: "Session", idle: Sequence["Unmet"]) -> None:
+    """The session as it stands; `idle`: the words of what was said just now that make no difference."""
     for turn in session.history[-5:]:
         when = datetime.fromtimestamp(turn.when).strftime("%Y-%m-%d %H:%M")
         out.print(Text(f"{turn.index + 1:>3}  {when}  {turn.text[:70]}  ({turn.summary})", style="dim"), soft_wrap=True)
     show.structure(session.structure)
     show.stages(session.stages)
     show.diagnostics([d for s in session.stages for d in s.diagnostics])
-    show.outcome(session.structure, session.facts, session.requirements, session.results, session.measures)
+    of_text = session.idle or ()
+    show.outcome(
+        session.structure, session.facts, session.requirements, session.results, session.measures, idle=of_text
+    )
+    show.without_effect([u for u in idle if u not in of_text])

@@ -11,14 +11,14 @@ from c2s_engine.commands.console import out
 from c2s_engine.session import no_effect
 from c2s_engine.session.seeds import verdict
 from c2s_engine.session.why import KEPT
-from c2s_engine.structure.account import not_wholly
+from c2s_engine.structure.account import not_wholly, requirements_met
 from c2s_engine.structure.components import Structure, Unmet, given_up, unrecognised
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.facts import EventFact, RunFacts
 from c2s_engine.structure.happening import ended, told
 from c2s_engine.structure.measures import Measures, SeedResult, collisions
 from c2s_engine.structure.offers import verdict as contradicting
-from c2s_engine.structure.requirements import Requirement, Result, failures, tally
+from c2s_engine.structure.requirements import Requirement, Result, failures
 
 
 def structure(s: Structure, to: Console = out) -> None:
@@ -68,14 +68,16 @@ def cost(details: Mapping[str, Any], to: Console = out) -> None:
 
 def outcome(
     s: Structure, facts: Sequence[RunFacts], requirements: Sequence[Requirement], results: Sequence[Result],
-    measures: Sequence[Measures], to: Console = out,
+    measures: Sequence[Measures], to: Console = out, idle: Sequence[Unmet] = (),
 ) -> None:  # fmt: skip
-    """What the runs showed, what of it S requires, and what of the text was given up."""
+    """What the runs showed, what of it S requires, what of the text was given up, and `idle`: its words without which
+    S would be the same."""
     if facts:
         _runs(facts, requirements, measures, bool(s.text), to)
-        _required(requirements, results, unrecognised(s), not_wholly(s), to)
+        _required(s, requirements, results, idle, to)
     if left := given_up(s):
         to.print(Text(f"Given up: {', '.join(left)}", style="yellow"))
+    without_effect(idle, to)
 
 
 def without_effect(found: Sequence[Unmet], to: Console = out) -> None:
@@ -135,16 +137,16 @@ def seed(row: SeedResult, to: Console = out) -> None:
 
 
 def _required(
-    requirements: Sequence[Requirement], results: Sequence[Result], partly: Sequence[str], lost: str, to: Console
+    s: Structure, requirements: Sequence[Requirement], results: Sequence[Result], idle: Sequence[Unmet], to: Console
 ) -> None:
-    """How much of what S requires was seen, `lost`: what of the text it does not require; a line for each failure."""
+    """How much of what S requires was seen, and of the text is not in S; a line for each failure."""
     if not results:
         return
-    held, of = tally(results)
-    to.print(Text(f"{held} of {of} requirements met{lost}", style="green" if held == of and not lost else "yellow"))
+    whole = all(r.holds for r in results) and not not_wholly(s, idle)
+    to.print(Text(requirements_met(s, results, idle), style="green" if whole else "yellow"))
     for line in failures(requirements, results):
         to.print(Text(line, style="yellow"))
-    if partly:
+    if partly := unrecognised(s):
         words = ", ".join(partly)
         to.print(Text(f"Of {words} only what was recognised in the code is required.", style="dim"))
 

@@ -8,14 +8,14 @@ from c2s_engine.check.protocol import CheckReport
 from c2s_engine.commands import show
 from c2s_engine.commands.console import InputError
 from c2s_engine.structure.account import account
-from c2s_engine.structure.components import Structure
+from c2s_engine.structure.components import Structure, Unmet
 from c2s_engine.structure.diagnostics import Diagnostic
 from c2s_engine.structure.progress import Finished, Passage
 from c2s_engine.structure.requirements import Requirement, Result, failures, tally
 
 
-def structure(s: Structure) -> dict[str, Any]:
-    """S, and what of the text is not in it."""
+def structure(s: Structure, idle: Sequence[Unmet] = ()) -> dict[str, Any]:
+    """S, and what of the text is not in it. `idle`: phrases of the text without which S would be the same."""
     components = [
         {
             "id": c.id, "description": c.description, "spec": c.spec.model_dump(mode="json", exclude_defaults=True),
@@ -24,9 +24,11 @@ def structure(s: Structure) -> dict[str, Any]:
         }
         for c in s.components
     ]  # fmt: skip
-    clauses = [{"text": c.text, "status": c.status, "components": c.components} for c in account(s)]
+    clauses = [{"text": c.text, "status": c.status, "components": c.components} for c in account(s, idle)]
     lost = [f"{u.text}: {u.reason}" for u in s.not_understood]
-    return {"structure": components, "not_understood": lost, "account": clauses}
+    return {
+        "structure": components, "not_understood": lost, "account": clauses, "without_effect": [u.text for u in idle],
+    }  # fmt: skip
 
 
 def needs_folder(output: str | None) -> None:
@@ -47,7 +49,7 @@ def scenario(done: Finished, output: str | None) -> dict[str, Any]:
     return {
         "ok": done.ok,
         "program": done.program.text,
-        **structure(done.structure),
+        **structure(done.structure, done.details.get("without_effect", ())),
         "problems": [_problem(d) for d in done.diagnostics],
         "events": show.events_as_dicts(done.facts),
         "required": required(done.requirements, done.results),

@@ -121,7 +121,7 @@ class Service:
             options = {"method": method, "map": map, "seed": seed, "runs": runs, "strict": strict}
             done, _ = await teller.finish(self.engine.generate(words, **options))  # type: ignore[arg-type]
             assert done is not None
-            return {**answers.scenario(done, output), "notes": teller.notes}
+            return {**answers.scenario(await self._whole(done), output), "notes": teller.notes}
 
         return await self._work(work)
 
@@ -131,7 +131,9 @@ class Service:
         async def work() -> dict[str, Any]:
             from c2s_engine.session.reader import read
 
-            return answers.structure(await read(description(text), self.engine.tools))
+            words = description(text)
+            found = await read(words, self.engine.tools)
+            return answers.structure(found, await self.engine.without_effect(words))
 
         return await self._work(work)
 
@@ -209,7 +211,8 @@ class Service:
                     done, passages = await teller.finish(opened.say(description(say), **options))
                 if edits:
                     done, _ = await teller.finish(opened.apply(edits, **options))
-                told = {**answers.scenario(done or state_of(opened), output), "notes": teller.notes}
+                now = await self._whole(done or state_of(opened))
+                told = {**answers.scenario(now, output), "notes": teller.notes}
                 told["passages"] = [answers.passage(p) for p in passages]
                 told["turns"] = [t.text or t.summary for t in opened.history]
                 return told
@@ -253,6 +256,17 @@ class Service:
             return {"passages": [answers.passage(p) for p in found]}
 
         return await self._work(work)
+
+    async def _whole(self, done: Finished) -> Finished:
+        """A turn's end with the phrases of its text that make no difference to S, where the interpreter has read it."""
+        text = done.structure.text
+        if not text or any(c.origin == "generated" for c in done.structure.components):
+            return done
+        try:
+            idle = await self.engine.without_effect(text)
+        except ValueError:  # what cannot be read is said by the turn
+            return done
+        return done.model_copy(update={"details": {**done.details, "without_effect": idle}})
 
     def _program(self, program: str | None, file: str | None) -> tuple[str, str | None, str]:
         """(text, folder of its map and what it imports, file name) of a program; raises InputError."""

@@ -10,13 +10,13 @@ from c2s_engine.session.glossary import meaning
 from c2s_engine.session.question import Question, read
 from c2s_engine.session.why import explained
 from c2s_engine.session.yes_no import yes_or_no
-from c2s_engine.structure.account import STATUS_WORDS, Clause, account
+from c2s_engine.structure.account import STATUS_WORDS, Clause, account, requirements_met
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.facts import EGO, EventFact, ObjectFacts, RunFacts
 from c2s_engine.structure.happening import USUAL, ended, told
 from c2s_engine.structure.measures import ActorMeasures, Collision, Measures, PairMeasures, collisions
 from c2s_engine.structure.progress import Finished
-from c2s_engine.structure.requirements import failures, tally
+from c2s_engine.structure.requirements import failures
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.structure.stems import stems
 
@@ -62,6 +62,8 @@ _WHY = re.compile(r"^(?:and |but |so )?(?:why|what makes|what made)\b", re.I)
 _NOT = re.compile(r"\b(?:not|never|fail\w*)\b|n['’]t\b", re.I)
 _OF_EGO = re.compile(r"\b(?:I|me|my|we|us|our|you|your)\b", re.I)
 BRAKES = ("brake", "brake_hard", "stop")
+SHORTLY = 2.0
+"""s before somebody brakes in which what happens can be why."""
 _FUNCTION = "why what makes made did does do is are was were has have had will would not never fail the an of for to it"
 
 
@@ -286,12 +288,12 @@ def _why_braked(asked: _Asked) -> str:
     if any("brake" in p.action or p.action == "stop" for p in spec.phases):
         said.append("braking is one of the steps that S gives ego")
     here = next((o for o in asked.facts.objects if o.name == EGO), None) if asked.shown.facts else None
-    first = next((e for e in here.events if e.event in ("brake", "brake_hard")), None) if here else None
+    first = next((e for e in here.events if e.event in BRAKES and e.time > 0), None) if here else None
     if here and first is None:
         said.append("in the run ego does not brake")
     elif first:
         before = [(e.time, o.name, e) for o in asked.facts.objects if o.name != EGO for e in o.events
-                  if e.time <= first.time and e.event not in USUAL]  # fmt: skip
+                  if 0 <= first.time - e.time <= SHORTLY and e.event not in USUAL]  # fmt: skip
         cause = max(before, key=lambda b: b[0], default=None)
         after = f", after {cause[1]} {_event(cause[2])}" if cause else ""
         said.append(f"in the run ego begins to brake at {first.time:.1f} s{after}")
@@ -384,11 +386,9 @@ def _event(event: EventFact) -> str:
 
 
 def _met(asked: _Asked) -> str:
-    met, of = tally(asked.shown.results)
-    if not of:
-        return ""
-    missed = failures(asked.shown.requirements, asked.shown.results)
-    return f"{met} of {of} requirements met." + "".join(f"\n{line}" for line in missed[:8])
+    met = requirements_met(asked.structure, asked.shown.results, asked.shown.details.get("without_effect", ()))
+    missed = failures(asked.shown.requirements, asked.shown.results) if met else ()
+    return "\n".join([f"{met}.", *missed[:8]]) if met else ""
 
 
 def _accounted(asked: _Asked) -> str:

@@ -7,6 +7,7 @@ from typing import Any
 
 from c2s_engine.session.reader import Unreadable, phrases, read, route
 from c2s_engine.session.steps import Tools
+from c2s_engine.structure.account import is_set
 from c2s_engine.structure.components import Structure, Unmet
 from c2s_engine.structure.edits import Edit, apply
 
@@ -14,6 +15,8 @@ REASON = "S would be the same without it"
 SHOWN = 60
 """Characters of a text by which it is named."""
 JOINED = re.compile(r"(?:(?:and|but|then|or)\b\s*)*", re.IGNORECASE)
+WORD = re.compile(r"[^\W_]+")
+SMALL = re.compile(r"an?|the|its|his|her|with|of|by|for|from|to|at|in|on|onto|along|and|but|then|or", re.IGNORECASE)
 MOST = 80
 """Readings of one text (some 60 ms each)."""
 
@@ -32,7 +35,7 @@ async def without_effect(text: str, tools: Tools) -> tuple[Unmet, ...]:
             same = _same(_meant(await asyncio.shield(read(rest, tools))), meant)
         except Unreadable:
             continue
-        if same:
+        if same and not _became(structure, (start, end)):
             found.append((start, end))
     return tuple(Unmet(text=text[a:b].strip(" ,;.\n"), reason=REASON, span=(a, b)) for a, b in sorted(found))
 
@@ -68,6 +71,15 @@ def told(found: Sequence[Unmet], of: str = "") -> str:
     short = said if len(said) <= SHOWN else f"{said[:SHOWN].rsplit(' ', 1)[0]} ..."
     whose = f"Of “{short}”: " if said else ""
     return f"{whose}S would be the same without: {'; '.join(f'“{u.text}”' for u in found)}."
+
+
+def _became(structure: Structure, phrase: tuple[int, int]) -> bool:
+    """Whether S says what most words of a phrase say: other words, or what is usual, say it, too."""
+    links = [(c.spec, li) for c in structure.components for li in c.links if li.span and li.field]
+    fields = [li.span for spec, li in links if li.span and is_set(spec, li.field)]
+    words = [m.span() for m in WORD.finditer(structure.text, *phrase) if not SMALL.fullmatch(m[0])]
+    said = [word for word in words if any(a < word[1] and word[0] < b for a, b in fields)]
+    return len(said) > len(words) / 2
 
 
 def _lost(structure: Structure) -> list[Unmet]:

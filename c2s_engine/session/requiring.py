@@ -105,6 +105,8 @@ async def _without_reaction(structure: Structure, tools: Tools, *, map_name: str
         return []
     chosen = map_choice(tools.library, tools.library.find(map_name))
     writer = TypedWriter(chosen, room=room)
+    if changed.ego.origin != "rendered":  # its own code, though it says the same, would be kept, with the reaction
+        changed = changed.with_component(changed.ego.model_copy(update={"origin": "rendered", "key": ""}))
     ego, going_on = (steps.write(each, [], writer, steps.silent) for each in (changed, _going_on(structure, seconds)))
     if not (ego[3].ok and going_on[3].ok):
         return []

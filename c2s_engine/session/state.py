@@ -5,6 +5,7 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict
 
+from c2s_engine.structure.account import requirements_met
 from c2s_engine.structure.components import Component, Structure, field_words
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.edits import (
@@ -24,7 +25,7 @@ from c2s_engine.structure.measures import Measures
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.progress import Finished
 from c2s_engine.structure.quantity import ends, in_words
-from c2s_engine.structure.requirements import Requirement, Result, tally
+from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.values import text_of
 
 KEPT_DETAILS = ("map", "room", "folder", "places", "passages")
@@ -124,9 +125,8 @@ def summary(before: State, after: State) -> str:
     failed = next((s.name for s in after.stages if not s.ok), "")
     if failed and after != before:
         parts.append(f"{failed} fails")
-    seen, required = tally(after.results)
-    if parts and required and not failed:
-        parts.append(f"{seen} of {required} requirements met")
+    if parts and not failed and (met := requirements_met(after.structure, after.results)):
+        parts.append(met)
     return "; ".join(parts) or (NOTHING if after.same(before) else "other words")
 
 

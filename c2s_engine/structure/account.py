@@ -9,6 +9,7 @@ from typing import Literal
 
 from c2s_engine.structure.components import ComponentId, Frozen, Structure, Unmet
 from c2s_engine.structure.leaves import value_at
+from c2s_engine.structure.requirements import Result, tally
 from c2s_engine.structure.specs import Spec
 
 Status = Literal["understood", "partly", "background", "not_expressible", "not_understood"]
@@ -22,6 +23,8 @@ STATUS_WORDS: dict[Status, str] = {
 NOBODY = "no component took it up"
 GONE = "{} is not in S"
 
+CLAUSE = 0.8
+"""The share of a clause's characters from which on a phrase is that clause, but for what joins it."""
 _BREAK = re.compile(r"(?<=[.!?;:])[\"')\]”’]*\s+|\s*\n\s*|(?<=,)\s+(?=(?:and|but|while|when|so|then|which|who)\b)")
 
 
@@ -50,11 +53,32 @@ def account(structure: Structure, idle: Sequence[Unmet] = ()) -> tuple[Clause, .
     return tuple(_clause(structure, span, idle) for span in covering(structure.text, structure.clauses))
 
 
-def not_wholly(structure: Structure) -> str:
-    """How many clauses of the text nothing, or not all, of S stands for, to follow what S requires; empty for none."""
-    lost = sum(1 for c in account(structure) if c.status not in ("understood", "background"))
+def not_wholly(structure: Structure, idle: Sequence[Unmet] = ()) -> int:
+    """How many clauses of the text nothing, or not all, of S stands for. Of `idle`, phrases without which S stays the
+    same, those count that are clauses: what a single word says S may hold from elsewhere."""
+    clauses = account(structure, idle_clauses(structure, idle))
+    return sum(1 for c in clauses if c.status not in ("understood", "background"))
+
+
+def idle_clauses(structure: Structure, idle: Sequence[Unmet]) -> list[Unmet]:
+    """Of the phrases without which S would be the same, those that are clauses of the text, or nearly."""
+    spans = covering(structure.text, structure.clauses)
+    return [u for u in idle if u.span and any(_most_of(span, u.span) for span in spans)]
+
+
+def _most_of(clause: Span, phrase: Span) -> bool:
+    return min(phrase[1], clause[1]) - max(phrase[0], clause[0]) > CLAUSE * (clause[1] - clause[0])
+
+
+def requirements_met(structure: Structure, results: Sequence[Result], idle: Sequence[Unmet] = ()) -> str:
+    """How much of what S requires was met, and how much of the text S does not hold, and so does not require; empty
+    where nothing is required."""
+    met, required = tally(results)
+    if not required:
+        return ""
+    lost = not_wholly(structure, idle)
     are = "clauses of the text are" if lost > 1 else "clause of the text is"
-    return f"; {lost} {are} not wholly in S" if lost else ""
+    return f"{met} of {required} requirements met" + (f"; {lost} {are} not wholly in S" if lost else "")
 
 
 def covering(text: str, clauses: Sequence[Span] = ()) -> list[Span]:

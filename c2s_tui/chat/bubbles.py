@@ -26,11 +26,17 @@ class Line(Static):
     """One thing said: by the user, by the engine, as a note. Never read as markup."""
 
     def __init__(self, text: str, kind: str):
-        sign = {"user": ">", "error": mark("error"), "warning": mark("warning")}.get(kind, " ")
-        self.plain, self.kind = text, kind
+        super().__init__(classes=f"line -{kind}")
+        self.kind = kind
+        self.say(text)
+
+    def say(self, text: str) -> None:
+        """Say this, in the place of what it said before."""
+        sign = {"user": ">", "error": mark("error"), "warning": mark("warning")}.get(self.kind, " ")
+        self.plain = text
         self._words = Content.assemble((f"{sign} ", "bold"), mentions(text))
         self._marked: Marked = ()
-        super().__init__(self._words, classes=f"line -{kind}")
+        self.update(self._words)
 
     def show_parts(self, parts: Marked, lost: Marked, here: str | None) -> None:
         """Colour the words by the components that rest on them (to be clicked), those of the component that one is at

@@ -1,5 +1,6 @@
 """The chat pane: the conversation above, the line to type in below."""
 
+from collections.abc import Sequence
 from typing import Any
 
 from textual import on
@@ -7,8 +8,8 @@ from textual.app import ComposeResult
 from textual.containers import Vertical, VerticalScroll
 from textual.widget import Widget
 
-from c2s_engine.structure.account import account
-from c2s_engine.structure.components import Structure
+from c2s_engine.structure.account import account, idle_clauses
+from c2s_engine.structure.components import Structure, Unmet
 from c2s_engine.structure.progress import Passage, Progress, Say, Token
 from c2s_tui.chat.bubbles import Answer, Line, Sources
 from c2s_tui.chat.entry import Entry
@@ -64,12 +65,13 @@ class ChatPane(Vertical):
         if self.conversation.is_vertical_scroll_end:
             self.conversation.anchor()
 
-    def show(self, structure: Structure, here: str | None) -> None:
-        """In the text that S was read from, colour the words by component, and mark what was lost."""
+    def show(self, structure: Structure, idle: Sequence[Unmet], here: str | None) -> None:
+        """In the text that S was read from, colour the words by component, and mark what was lost. `idle`: phrases
+        without which S would be the same."""
         parts = tuple(
             (c.id, link.span) for c in structure.components for link in c.links if link.kind == "text" and link.span
         )
-        clauses = account(structure)
+        clauses = account(structure, idle_clauses(structure, idle))
         lost: tuple = tuple((c.status, c.span) for c in clauses if c.status not in ("understood", "partly"))
         partly = [u.span for c in clauses if c.status == "partly" for u in c.lost if u.span]
         lost += tuple(("not_expressible", span) for span in partly)
@@ -84,9 +86,11 @@ class ChatPane(Vertical):
         if len(self.conversation.children) > KEPT:
             await self.conversation.children[0].remove()
 
-    async def note(self, text: str, kind: str = "note") -> None:
+    async def note(self, text: str, kind: str = "note") -> Line:
         """Say something to the user."""
-        await self.put(Line(text, kind))
+        line = Line(text, kind)
+        await self.put(line)
+        return line
 
     async def user(self, text: str) -> None:
         """Show what the user sent."""

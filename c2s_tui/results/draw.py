@@ -4,10 +4,11 @@ from collections.abc import Mapping, Sequence
 
 from textual.content import Content
 
+from c2s_engine.structure.account import requirements_met
 from c2s_engine.structure.facts import EGO, ObjectFacts, RunFacts, Trajectories
 from c2s_engine.structure.happening import USUAL, ended, told
 from c2s_engine.structure.measures import Measures, SeedResult
-from c2s_engine.structure.requirements import Requirement, Result, tally
+from c2s_engine.structure.requirements import Requirement, Result
 from c2s_tui.desk import Desk
 from c2s_tui.look.kinds import ascii_only, colour, mark, mentions
 from c2s_tui.results.plot import MARGIN, Curve, plot
@@ -55,7 +56,7 @@ def outcome(desk: Desk) -> Content:
     parts.append(f"The run ended after {facts.duration:.1f} s ({ended(facts)}); seed {facts.seed}.\n")
     parts += _nearness(next(iter(desk.measures), Measures()), facts)
     if desk.results:
-        parts.append("{} of {} requirements met\n".format(*tally(desk.results)))
+        parts.append(f"{requirements_met(desk.structure, desk.results, desk.idle)}\n")
     return Content.assemble(*parts).rstrip()
 
 

@@ -116,6 +116,16 @@ async def test_words_that_make_no_difference_are_named_once(stage):
         assert sum("would be the same" in line for line in stage.said) == 1
 
 
+async def test_a_clause_that_makes_no_difference_is_counted_in_the_line_that_closed_the_turn(stage):
+    sentence = CUT_IN.split(". ")[1]
+    span = (CUT_IN.index(sentence), len(CUT_IN))
+    stage.engine.idle = (Unmet(text=sentence, reason="S would be the same without it", span=span),)
+    async with stage.described() as pilot:
+        lost = "1 clause of the text is not wholly in S"
+        await stage.until(pilot, lambda: any("3 of 3 requirements met" in line and lost in line for line in stage.said))
+        assert "3 of 3 requirements met; 1 clause lost" in stage.bench.query_one("#status").content.plain
+
+
 async def test_words_of_a_turn_before_are_not_named_below_a_newer_one(stage):
     looked = asyncio.Event()
 

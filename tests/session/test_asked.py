@@ -3,7 +3,7 @@
 import pytest
 
 from c2s_engine.session.asked import HELP, UNANSWERED, answered, asks_for_account, wants_help
-from c2s_engine.structure.account import not_wholly
+from c2s_engine.structure.account import not_wholly, requirements_met
 from c2s_engine.structure.components import Assumption, Component, Link, Structure, Unmet
 from c2s_engine.structure.facts import ContactFact, EventFact, ObjectFacts, RunFacts
 from c2s_engine.structure.measures import ActorMeasures, Measures, PairMeasures
@@ -57,7 +57,8 @@ SHOWN = Finished(
      ("did ego stop?", "No: ego does not stop in the run."),
      ("what happened?", "2.9 s cyclist enters the road; 3.6 s ego brakes; 4.1 s cyclist hits ego"),
      ("was the cyclist hidden?", "cyclist is in ego's sight from the start."),
-     ("did it work?", "0 of 1 requirements met.\nT: Nobody touches anybody."),
+     ("did it work?",
+          "0 of 1 requirements met; 2 clauses of the text are not wholly in S.\nT: Nobody touches anybody."),
      ("what was not understood?", "0 of 2 clauses of the text are in S as understood.\n“Ego drives.”: not understood"),
      ("what did you assume?", "E: reaction brake (the text does not say)"),
      ("what was assumed of O1?", "Nothing was assumed."),
@@ -255,5 +256,16 @@ def test_help_and_greetings(text, wants):
 
 
 def test_the_clauses_that_are_not_wholly_in_s_are_counted():
-    assert not_wholly(Structure()) == ""
-    assert not_wholly(STRUCTURE) == "; 2 clauses of the text are not wholly in S"
+    assert requirements_met(Structure(), ()) == ""
+    told = "0 of 1 requirements met; 2 clauses of the text are not wholly in S"
+    assert requirements_met(STRUCTURE, SHOWN.results) == told
+
+
+def test_a_clause_without_effect_is_not_wholly_in_s_and_a_word_may_be():
+    links = (Link(kind="text", label="crosses", span=(22, 29), field="name"),)
+    ego = STRUCTURE.ego.model_copy(update={"links": (Link(kind="text", label="Ego", span=(0, 3), field="reaction"),)})
+    crossing = STRUCTURE.objects[0].model_copy(update={"links": links})
+    one = STRUCTURE.with_component(ego).with_component(crossing)
+    clause, word = (Unmet(text=one.text[a:b], reason="S would be the same without it", span=(a, b))
+                    for a, b in ((12, 29), (14, 21)))  # fmt: skip
+    assert [not_wholly(one, idle) for idle in ((), (word,), (clause,))] == [0, 0, 1]

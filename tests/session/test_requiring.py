@@ -5,6 +5,7 @@ from c2s_engine.session.places import map_choice
 from c2s_engine.session.requiring import KEPT, by_its_runs, check_and_judge
 from c2s_engine.solve.shortened import ended_earlier
 from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.program import assemble
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, RestrictionsSpec
 from c2s_engine.write.typed import TypedWriter
 
@@ -57,3 +58,18 @@ async def test_a_program_that_does_not_compile_has_no_run_to_compare(engine):
         structure, broken, engine.tools, steps.silent, map_name=chosen.name, room=1.0, folder=str(chosen.path.parent)
     )
     assert not report.ok and not judged.results
+
+
+async def test_an_ego_by_hand_that_says_the_same_reacts_all_the_same(engine):
+    """Its code is not taken for that with the reaction switched off."""
+    chosen = map_choice(engine.library, engine.library.find("town"))
+    structure, program, _, _ = steps.write(STRUCTURE, [], TypedWriter(chosen, room=1.0), steps.silent)
+    own = structure.ego.with_own_code(structure.ego.code.replace("# m/s", "# as ever"))
+    assert own.code != structure.ego.code
+    structure = structure.with_component(own.model_copy(update={"by_hand": "same"}))
+    _, judged = await check_and_judge(
+        structure, assemble(structure), engine.tools, steps.silent, map_name=chosen.name, seed=7, room=1.0,
+        folder=str(chosen.path.parent),
+    )  # fmt: skip
+    reacts = {r.requirement: r for r in judged.results if r.requirement.startswith("E.reaction")}
+    assert reacts and all(r.holds for r in reacts.values()), reacts

@@ -58,6 +58,7 @@ BOUNDS = re.compile(
     r"|less) than)(?= \d[\d.]* ?(?:m|s|m/s2|metres|meters|seconds)\b(?!/))|(?:fall|drop|go"
     r"|be) (?:below|above|under))"
 )
+SAME_LANE = re.compile(r"\bin (?:the )?(?:same|ego's|our) lane\b")
 SIDES = re.compile(r"\b(?:left|right)\b")
 FROM_BEHIND = re.compile(r"\bfrom behind\b")
 BETWEEN = re.compile(r"\bbetween (?:them|the|ego|it|both|two|o\d)\b")
@@ -92,7 +93,7 @@ def unmet(demand: str, before: Structure, after: Structure) -> Left:
     parts = [*(parts or after.components), after.place, after.settings, after.restrictions]
     values = [*changed, *(v for c in parts for v in _leaves("", c.spec.model_dump()))]
     needed = [*_numbers(demand, changed, values), *_others(demand, changed, _NEEDED)]
-    besides = [*_moments(demand, changed), *_others(demand, changed, _BESIDES)]
+    besides = [*_moments(demand, changed), *_others(demand, changed, _BESIDES), *_parties(demand, spans, edited, after)]
     words = [*_words(demand, spans, values), *_sky(demand, spans, values), *_acts(demand, changed, values)]
     if not changed and (only := re.search(r"\b(?:only|just) [\w ]+$", demand)):
         needed.append(only[0])
@@ -101,6 +102,21 @@ def unmet(demand: str, before: Structure, after: Structure) -> Left:
     if changed and edited == {"R"}:  # the side of something at the road, which has none in S
         return Left(tuple(needed), (*words, *besides))
     return Left((*needed, *words), tuple(besides))
+
+
+def _parties(demand: str, spans: Sequence[Span], edited: set[str], structure: Structure) -> list[str]:
+    """Those whom a demand names after the one it is about, and whom nothing in S refers to with that one."""
+    found: list[tuple[str, Component]] = []
+    for span in sorted(spans, key=lambda s: s.start):
+        words = demand[span.start : span.end]
+        if span.kind != "ego" and (one := refer(f"the {words}", structure, alone=False)) is not None:
+            found.append((words, one))
+    if not found:
+        return []
+    first = found[0][1]
+    about = {str(v) for _, v in _leaves("", first.spec.model_dump())}
+    return [words for words, one in found[1:] if one.id not in {first.id, *about, *edited}
+            and not any(v == first.id for _, v in _leaves("", one.spec.model_dump()))]  # fmt: skip
 
 
 def _named(demand: str, spans: Sequence[Span], structure: Structure) -> list[Component]:
@@ -141,7 +157,9 @@ def _words(demand: str, spans: Sequence[Span], values: list[Value]) -> list[str]
     held |= {w for w, same in ALIKE if same in held} | {"ahead", "front"}
     bare = re.sub(r"\bmiddle of (?:the|its|ego's) (?:road|street|lane|crossing|crosswalk)\b", " ", bare)
     said = re.findall(r"[a-z]+", bare)
-    return [w for w in dict.fromkeys(said) if w in vocabulary_words() and w not in held]
+    in_line = any(path.endswith("placement.position") and v in ("ahead", "behind") for path, v in values)
+    apart = [m[0] for m in [SAME_LANE.search(demand)] if m and not in_line]
+    return apart + [w for w in dict.fromkeys(said) if w in vocabulary_words() and w not in held]
 
 
 def _sky(demand: str, spans: Sequence[Span], values: list[Value]) -> list[str]:

@@ -5,7 +5,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.forms import Found, quantity_of
-from c2s_engine.interpret.changes.refer import doing, refer
+from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.reading import amounts, scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Structure
@@ -113,8 +113,16 @@ def own_lane(clause: str, structure: Structure) -> Found | None:
         return None
     lane = language.table("refine")["ego_lanes"].get(match["lane"], match["lane"])
     update: dict[str, Any] = {"ego_lane": lane, "lanes": max(place.lanes or 0, 3 if lane == "middle" else 2)}
-    spec = PlaceSpec.model_validate(place.model_dump() | update)
-    return [SetSpec(component="R", spec=spec)], f"ego in the {lane} lane"
+    found: list[Edit] = [SetSpec(component="R", spec=PlaceSpec.model_validate(place.model_dump() | update))]
+    words = f"ego in the {lane} lane"
+    for other in structure.objects:  # who was in the lane beside ego's, beyond which there is none, is in ego's now
+        at = spec_of(other).placement
+        if at.of == "ego" and (lane, at.position) in (("rightmost", "right_lane"), ("leftmost", "left_lane")):
+            line = "behind" if at.along == "behind" else "ahead"
+            now = at.model_copy(update={"position": line, "along": None})
+            found.append(SetField(component=other.id, path="placement", value=now))
+            words += f", {line} of it {other.id}" if line == "ahead" else f", behind it {other.id}"
+    return found, words
 
 
 def ending(clause: str, structure: Structure) -> Found | None:

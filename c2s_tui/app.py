@@ -95,8 +95,8 @@ class C2SApp(App[None]):
 
     async def action_quit(self) -> None:
         """Leave; the workbench asks first where work would be lost. A second time it is meant."""
-        if self.workbench is None or type(self.screen).__name__ == "Confirm":
-            self.exit()
+        if self.workbench is None or not self.workbench.children or type(self.screen).__name__ == "Confirm":
+            self.exit()  # without panes it is on its way out
         else:
             await self.workbench.run_command("quit")
 

@@ -149,13 +149,13 @@ class Backend:
         return save(program, (*folders, self.folder(program.text)), target, structure=structure), lacking(target)
 
     async def close(self) -> None:
-        """Close the session, the engine and the thread. A process that is slow to end is not waited for: its pipe is
-        closed, so that it ends by itself.
+        """Close the session, the engine and the thread. None that is slow to end is waited for: the pipe of a process
+        is closed, so that it ends by itself, and a session's lock goes with this process.
         """
-        if self.session is not None:
-            await self.thread.do(self.session.close)
-        if self._sessions is not None:
-            await self.thread.do(self._sessions.close)
+        for held in (self.session, self._sessions):
+            if held is not None:
+                with contextlib.suppress(TimeoutError):
+                    await asyncio.wait_for(self.thread.do(held.close), CLOSE_SECONDS)
         if self._engine is not None:
             with contextlib.suppress(TimeoutError):
                 await asyncio.wait_for(self.thread.call(self.engine.close), CLOSE_SECONDS)

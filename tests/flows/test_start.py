@@ -340,3 +340,10 @@ async def test_a_session_that_stays_open_elsewhere_is_left_alone(stage, monkeypa
         await stage.ready(pilot)
         assert stage.bench.session.name == "demo-2"
     elsewhere.close()
+
+
+async def test_ctrl_q_while_the_app_is_on_its_way_out_is_no_error(stage):
+    async with stage.described():
+        await stage.bench.remove_children()  # as the screen is taken down
+        await stage.app.action_quit()
+        assert stage.app.failed_by is None

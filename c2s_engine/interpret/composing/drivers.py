@@ -7,7 +7,7 @@ from c2s_engine.interpret.composing.ego_pace import ego_pace
 from c2s_engine.interpret.composing.lasting import lasting
 from c2s_engine.interpret.composing.own_braking import told_braking, told_stop
 from c2s_engine.interpret.composing.passive import RESPONSES, remains_passive
-from c2s_engine.interpret.composing.steps import duration_of, rate_of, target_speed, trigger_of
+from c2s_engine.interpret.composing.steps import ONWARDS, duration_of, rate_of, target_speed, trigger_of
 from c2s_engine.interpret.composing.tidied import tidy
 from c2s_engine.interpret.roles.ego_others import free_side, in_lane_conflict, last_actor, passed, way_back
 from c2s_engine.interpret.scene import Scene, side
@@ -15,10 +15,13 @@ from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.left_untold import struck_standing
 from c2s_engine.interpret.who.mentions import MOTOR, Entity
 from c2s_engine.structure.components import Assumption
-from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec, Trigger
 
 RETURNS = frozenset(("overtake", "oncoming", "swerve"))
 RETURNING = re.compile(r"return|back|own lane|its lane")
+GOES_BY = frozenset(("overtake", "travel", "cross_road", "cross_path", "go_straight", "leave_road", "turn"))
+"""What another does who is gone then."""
+AS_SOON_AS = frozenset(("once", "after", "as", "when"))
 AROUND = frozenset(("overtake", "oncoming", "lane_change", "cut_out", "evade", "swerve", "u_turn"))
 """What ego does to get past what it stopped for."""
 WIDE = re.compile(r"\b(?:berth|clearance|room|space)\b")
@@ -34,7 +37,14 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     phases: list[Phase] = []
     reaction, react_to, hard = "none", None, False
     said_reaction, _waits_at = False, 0
+    response: Phase | None = None  # that is no phase: after it ego may go on
     for event in events:
+        if (first := _awaited(scene, event, ids)) and (response or phases and phases[-1].action in ("stop", "wait")):
+            phases += [response] if response else []
+            if phases[-1].action == "wait":
+                phases.pop()
+            phases.append(Phase(action="wait", until=Trigger(kind="passed", of=first)))
+            response = None
         who = ids.get(event.patient) if event.patient is not None and not event.patient.ego else None
         act = event.act
         towards = side(event)
@@ -43,6 +53,9 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             reaction, said_reaction, _waits_at = "yield", True, len(phases)
             stands = event.patient is not None and bool(event.patient.roles & {"parked"})  # "gives way behind" those
             react_to = react_to or (None if stands else who)
+        elif onward := _goes_on(event, response or (phases[-1] if phases else None), who or _before(scene, event, ids)):
+            phases += [*([response] if response else []), onward]
+            response = None
         elif act in RESPONSES:
             stop = act != "brake"
             if not others or "turn" in event.text and not event.hard and not others:
@@ -56,6 +69,8 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
                 phases.append(told_stop(event, who))
             elif not stop and (braking := told_braking(event, who)) is not None:
                 phases.append(braking)
+            else:
+                response = told_stop(event, who) if stop else Phase(action="brake", target=who)
         elif act == "follow":
             phases += lasting(event, [Phase(action="follow", target=who)])
             if phases[-1].target is None:
@@ -200,6 +215,34 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         type=kind, model=model, speed=speed, phases=tuple(phases[:8]), reaction=reaction, react_to=react_to, hard=hard
     )  # type: ignore[arg-type]
     return spec, assumed
+
+
+def _awaited(scene: Scene, event: Event, ids: dict[Entity, str]) -> str | None:
+    """Who has gone by, in the clause before or behind it, when ego does what an event says."""
+    sentence = scene.words[event.word].sentence
+    by = [e for e in scene.clauses.events if e.agent in ids and e.act in GOES_BY and e.mode == "fact"
+          and e.adverbial in AS_SOON_AS and scene.words[e.word].sentence == sentence]  # fmt: skip
+    return next((ids[e.agent] for e in by if event.order - 8 < e.order < event.order), None)
+
+
+def _before(scene: Scene, event: Event, ids: dict[Entity, str]) -> str | None:
+    """Whom ego answered: who last did something that concerns it before an event."""
+    others = [e for e in scene.clauses.events if e.agent in ids and not e.agent.ego and e.order < event.order]
+    concerned = [e for e in others if e.patient is event.agent or e.act not in ("travel", "stationary", "approach")]
+    return ids[max(concerned, key=lambda e: e.order).agent] if concerned else last_actor(scene, ids)
+
+
+def _goes_on(event: Event, last: Phase | None, whom: str | None) -> Phase | None:
+    """The step by which ego goes on after it has braked or stopped: on at its speed, or behind somebody; None where it
+    has not, or does something else."""
+    if last is None or last.action not in ("stop", "brake", "wait"):
+        return None
+    if event.act == "follow" and whom is not None:
+        return Phase(action="follow", target=whom)
+    if event.act in ("start", "accelerate") or event.act == "travel" and re.search(ONWARDS, event.text):
+        stands = last.action != "brake" or event.act == "start"
+        return Phase(action="start" if stands else "accelerate", speed=target_speed(event), trigger=trigger_of(event))
+    return None
 
 
 def _halt(event: Event) -> list[Phase]:

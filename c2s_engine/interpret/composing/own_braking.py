@@ -1,8 +1,16 @@
 """Ego's braking as a step of its own, where the text says from when, how hard or down to which speed."""
 
+import re
+
 from c2s_engine.interpret.composing.steps import duration_of, rate_of, target_speed, trigger_of
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.structure.specs import Phase
+
+SHORT_OF = re.compile(
+    r"with (?:about |around |some )?#dist"
+    r"|#dist (?:to spare|left|(?:away )?(?:before|behind|short of|in front of|ahead of|from|off)\b)"
+)
+"""A distance of whoever stops to the one for whom that is."""
 
 
 def told_braking(event: Event, who: str | None) -> Phase | None:
@@ -15,10 +23,11 @@ def told_braking(event: Event, who: str | None) -> Phase | None:
 
 
 def told_stop(event: Event, who: str | None) -> Phase:
-    """The phase of a stop for somebody, with the rate that is told."""
-    return Phase(
-        action="stop", target=who, rate=rate_of(event) if _measured(event) else None, trigger=trigger_of(event)
-    )
+    """The phase of a stop for somebody, with the rate that is told, and how far before that one ego stands then."""
+    room = next((q["low"] for q in event.quantities if q["dimension"] == "distance" and who), None)
+    short = room if room and SHORT_OF.search(event.text) else None
+    rate = rate_of(event) if _measured(event) else None
+    return Phase(action="stop", target=who, rate=rate, clearance=short, trigger=trigger_of(event))
 
 
 def _measured(event: Event) -> bool:

@@ -13,6 +13,10 @@ NAMED = re.compile(
     r"(?P<whose>(?: (?:between|to|from|towards?|behind|in front|ahead|with|of (?=the |ego)|and)[^.;,:]{0,60}?)?)"
     r"(?: of| is| was| are| being| equals?| at|:|=)? ?(?:about |around |at least |roughly |approximately |only )?$"
 )
+TIMED = re.compile(r"[ -]?(?:(?:time|following) )?(?:gap|headway|distance)\b| (?:behind|ahead|in front)\b")
+"""What comes behind a time (s) that two are apart."""
+REACHED = re.compile(r"\bto(?: an?| about)* $")
+"""What comes before one to which that changes only later."""
 MARGIN = (1.02, 1.2)
 """A gap by time is measured between the bumpers: a little more than the way driven in it."""
 
@@ -28,7 +32,7 @@ def gap_of(scene: Scene, entity: Entity, position: str, ego: EgoSpec) -> tuple[f
         if speed and not any(scene.where(e).gap for e in scene.actors):
             closing = max(1.0, speed[0] - (own[0] if own else 0.0))
             return closing * ttc * MARGIN[0], closing * ttc * MARGIN[1]
-    if lengthwise and not any(scene.where(e).gap or scene.where(e).gap_time for e in scene.actors):
+    if lengthwise and not any(scene.where(e).gap for e in scene.actors):
         return _by_name(scene, entity, ego)
     return None
 
@@ -49,10 +53,13 @@ def _by_name(scene: Scene, entity: Entity, ego: EgoSpec) -> tuple[float, float] 
     moments = {e.trigger["at"] for e in scene.clauses.events if e.trigger and e.done and "at" in e.trigger}
     for span in scene.spans:
         dimension = span.data.get("dimension") if span.kind == "quantity" else None
-        match = NAMED.search(scene.plain[max(0, span.start - 90) : span.start])
-        if dimension not in ("distance", "time") or match is None or not _may_be_of(scene, entity, span, match):
+        if dimension not in ("distance", "time") or span.start in moments:
             continue
-        if span.start in moments:
+        before = scene.plain[max(0, span.start - 90) : span.start]
+        match = NAMED.search(before)
+        timed = dimension == "time" and TIMED.match(scene.plain[span.end :]) and not REACHED.search(before)
+        of = span.start - len(before) + match.start("whose") if match else span.start if timed else None
+        if of is None or not _may_be_of(scene, entity, span, of):
             continue
         if dimension == "distance":
             return span.data["low"], span.data["high"]
@@ -60,9 +67,8 @@ def _by_name(scene: Scene, entity: Entity, ego: EgoSpec) -> tuple[float, float] 
     return None
 
 
-def _may_be_of(scene: Scene, entity: Entity, span: Span, match: re.Match[str]) -> bool:
-    """Whether the parties that are named with a distance, if any, are ego and that one."""
-    start = max(0, span.start - 90) + match.start("whose")
+def _may_be_of(scene: Scene, entity: Entity, span: Span, start: int) -> bool:
+    """Whether the parties that are named from there to a distance, if any, are ego and that one."""
     named = {e for i, e in scene.cast.of.items() if start <= scene.words[i].start < span.start and not e.ego}
     if not named:  # "a car comes towards it; the initial distance is 400 m"
         at = next((w.sentence for w in scene.words if w.start >= span.start), None)

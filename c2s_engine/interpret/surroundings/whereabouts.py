@@ -29,7 +29,6 @@ class Where:
     of: Entity | None = None
     facing: str | None = None
     gap: tuple[float, float] | None = None
-    gap_time: float | None = None
     weak: bool = False
     hidden_by: Entity | None = None
     phrases: list[tuple[str, str]] = field(default_factory=list)

@@ -144,6 +144,8 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     waited_for(cast, clauses)
     _meant_and_done(clauses)
     overtakings(clauses)
+    _nobody_follows_itself(cast, clauses)
+    _only_meant(clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:
         if (
@@ -153,6 +155,27 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
         ):
             event.mode = "hypothetical"
     clauses.events.sort(key=lambda e: e.order)
+
+
+def _nobody_follows_itself(cast: Cast, clauses: Clauses) -> None:
+    """Who would follow itself is another, of the clause before: "the bus pulls off; ego brakes and follows the bus"."""
+    for event in [e for e in clauses.events if e.act == "follow" and not e.adverbial]:
+        word = cast.words[event.word]
+        objects = [c for c in word.children if cast.words[c].dep == "dobj"]
+        before = [e for e in clauses.events if e.order < event.order and e.agent is not event.agent
+                  and cast.words[e.word].sentence == word.sentence]  # fmt: skip
+        if before and any(cast.referent(c) is event.agent for c in objects):
+            event.patient, event.agent = event.agent, max(before, key=lambda e: e.order).agent
+
+
+def _only_meant(clauses: Clauses) -> None:
+    """Who goes aside to overtake, then has to brake and comes to follow, has not overtaken."""
+    for event in clauses.events:
+        if event.act == "overtake" and event.mode == "purpose":
+            own = [e for e in clauses.events if e.agent is event.agent and e.mode == "fact"]
+            later = {e.act for e in own if e.order > event.order}
+            if "follow" in later and "overtake" not in later:
+                event.mode = "hypothetical"
 
 
 def _meant_and_done(clauses: Clauses) -> None:

@@ -20,6 +20,11 @@ class Gaps:
     clauses: Clauses
     words: list[Word]
 
+    def _stops(self) -> set[int]:
+        """Where distances stand by which ego stops short of somebody."""
+        stops = [e for e in self.clauses.events if e.agent.ego and e.act in ("stop", "brake_stop")]
+        return {q["start"] for e in stops for q in e.quantities}
+
     def _whose(self, i: int) -> Entity | None:
         """Whose place a distance tells: the noun that it stands under, if it is one of the others."""
         word = self.words[i]
@@ -41,7 +46,7 @@ class Gaps:
                 continue
             before = " ".join(w.norm for w in self.words[max(0, quantity["word"] - 5) : quantity["word"]])
             after = " ".join(w.norm for w in self.words[quantity["word"] + 1 : quantity["word"] + 8])
-            if quantity["dimension"] == "distance":
+            if quantity["dimension"] == "distance" and quantity["start"] not in self._stops():
                 if (
                     re.match(r"\s*(\S+ )?(away )?from the (\w+ )?(kerb|curb|edge|verge)", after)
                     or not SHORTEST <= quantity["low"] <= 800

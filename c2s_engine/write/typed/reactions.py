@@ -369,6 +369,11 @@ def _about(phase: Phase) -> str | None:
     return phase.target or (phase.trigger.of if phase.trigger and phase.trigger.kind == "action" else None)
 
 
+def _behind(structure: Structure, cid: str) -> bool:
+    spec = structure[cid].spec if cid in structure else None
+    return isinstance(spec, ObjectSpec) and spec.placement.of == "ego" and spec.placement.position == "behind"
+
+
 def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan: Plan) -> tuple[Phase, ...]:
     """Ego's phases with those that its place and its reaction add: merging, leaving, yielding, evading."""
     phases = spec.phases
@@ -385,13 +390,13 @@ def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan
     slows = ("brake", "stop", "wait")
     told = any(p.abandoned or p.action in slows and _about(p) == whom for p in spec.phases)  # it says how
     yields = yields and not told
+    if yields and _behind(structure, whom) and any(p.action == "lane_change" for p in spec.phases):
+        return spec.phases  # out of the way of who comes from behind: that lets it pass
     if yields and whom not in ("", *hit) and not gives_way_by(spec) and not _waits_for(spec, whom):
         yielding = Phase(action="yield", target=whom)
         if plan.junction and (stands := _stands_first(spec)):
             return (*spec.phases[:stands], yielding, *spec.phases[stands:])
-        aside = 1 if spec.phases and spec.phases[0].action == "lane_change" else 0  # out of the way first
-        moved = tuple(p.model_copy(update={"duration": p.duration or 2.5}) for p in spec.phases[:aside])
-        return (*moved, yielding, *spec.phases[aside:])
+        return (yielding, *spec.phases)
     if spec.reaction == "evade" and others and not actions & {*ASIDE, "overtake", "oncoming"}:
         return (*spec.phases, Phase(action="swerve", target=spec.react_to or threatening(structure)[0]))
     walks = [c for c in others if isinstance(o := structure[c].spec, ObjectSpec) and crosses(o)]

@@ -5,7 +5,7 @@ import re
 from c2s_engine.interpret.composing.changed_speeds import changed
 from c2s_engine.interpret.composing.ego_pace import ego_pace
 from c2s_engine.interpret.composing.lasting import lasting
-from c2s_engine.interpret.composing.own_braking import told_braking, told_stop
+from c2s_engine.interpret.composing.own_braking import SHORT_OF, told_braking, told_stop
 from c2s_engine.interpret.composing.passive import RESPONSES, remains_passive
 from c2s_engine.interpret.composing.steps import ONWARDS, duration_of, rate_of, target_speed, trigger_of
 from c2s_engine.interpret.composing.tidied import tidy
@@ -65,6 +65,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             if reaction in ("none", "follow"):
                 reaction = "brake" if reaction == "none" or event.hard else reaction
             hard = hard or event.hard or bool(rate_of(event) and rate_of(event) >= 4)  # type: ignore[operator]
+            who = who or (_before(scene, event, ids) if stop and SHORT_OF.search(event.text) else None)
             if stop and reaction == "brake" and not any(e.act in AROUND for e in events[events.index(event) :]):
                 phases.append(told_stop(event, who))
             elif not stop and (braking := told_braking(event, who)) is not None:

@@ -8,7 +8,7 @@ from c2s_engine.structure.specs import Phase
 
 SHORT_OF = re.compile(
     r"with (?:about |around |some )?#dist"
-    r"|#dist (?:to spare|left|(?:away )?(?:before|behind|short of|in front of|ahead of|from|off)\b)"
+    r"|#dist (?:to spare|left|short|(?:away )?(?:before|behind|in front of|ahead of|from|off)\b)"
 )
 """A distance of whoever stops to the one for whom that is."""
 

@@ -45,7 +45,8 @@ def settle(scene: Scene, ego: EgoSpec, place: PlaceSpec, drafts: list[Draft], id
                 }
             )
     known = {"ego", *(f"O{n}" for n in range(1, len(drafts) + 1))}
-    aside = next((p.side for p in ego.phases if p.action == "lane_change"), None)
+    goes = next((p for p in ego.phases if p.action in ("lane_change", "leave_road", "stop")), None)
+    aside = goes.side if goes is not None and goes.action == "lane_change" else None
     for draft in drafts if aside else ():
         # ego makes room: who comes from behind in its lane just drives on past it
         pulls_out = any(p.action == "lane_change" for p in draft.spec.phases)

@@ -14,6 +14,12 @@ def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
         once = phase.action in ("turn_left", "turn_right", "go_straight", "u_turn", "follow", "overtake")
         if once and not resumes and any(p.action == phase.action and p.target == phase.target for p in found):
             continue
+        last = found[-1] if found else None
+        to_a_stop = last and last.action == "brake" and not (phase.trigger or last.speed or last.duration)
+        if last and to_a_stop and phase.action == "stop":
+            rate, target = phase.rate or last.rate, phase.target or last.target  # it brakes to a stop
+            found[-1] = phase.model_copy(update={"rate": rate, "target": target, "trigger": last.trigger})
+            continue
         if found and found[-1].action == "lose_control" and phase.action in ("leave_road", "oncoming", "drift"):
             found[-1] = phase
             continue

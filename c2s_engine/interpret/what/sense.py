@@ -144,6 +144,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     waited_for(cast, clauses)
     _meant_and_done(clauses)
     overtakings(clauses)
+    _stands_in_the_way(cast, clauses)
     _nobody_follows_itself(cast, clauses)
     _only_meant(clauses)
     contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
@@ -155,6 +156,16 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
         ):
             event.mode = "hypothetical"
     clauses.events.sort(key=lambda e: e.order)
+
+
+BLOCKS = frozenset(("block", "obstruct"))
+
+
+def _stands_in_the_way(cast: Cast, clauses: Clauses) -> None:
+    """Who blocks a lane and of whom no movement is told stands there."""
+    for event in [e for e in clauses.events if e.act == "cut_in" and clauses._lemma(cast.words[e.word]) in BLOCKS]:
+        if not any(e.agent is event.agent and e is not event and e.done for e in clauses.events):
+            event.act = "stationary"
 
 
 def _nobody_follows_itself(cast: Cast, clauses: Clauses) -> None:

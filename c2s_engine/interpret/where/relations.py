@@ -227,7 +227,7 @@ class Places(OwnWords, Inferred):
             )
             or word.norm == "another"
         ):
-            after = self._following(i)
+            after = list(itertools.takewhile(lambda at: self.words[at].dep != "mark", self._following(i)))
             if i in self.clauses.deeds:
                 after = list(itertools.takewhile(lambda at: self.words[at].norm not in HEADING, after))
             if (

@@ -105,6 +105,10 @@ class Reference(Owned):
             return None if not single else single[-1]
         if ordinal is not None and 0 < len(candidates) <= ordinal and not self.ego_named and count == 1:
             return None  # "the lead vehicle stopped. The second vehicle ..."
+        if (place := self._where_said(word)) and definite:
+            there = [e for e in candidates if place in self._hints(e) and e.count == 1]
+            if there:
+                return there[-1]
         alike = kind == "rider" or any(e.noun == noun or e.type == kind for e in candidates)
         if self._distinguished(word) and (not alike or kind in ("vehicle", "car")):
             return None
@@ -144,6 +148,12 @@ class Reference(Owned):
             return self.ego
         return max(scored)[2] if scored else None
 
+    def _where_said(self, word: Word) -> str:
+        """Where one is by the words right behind the noun: "the car in front", "the van behind"."""
+        after = " ".join(w.norm for w in self.words[word.i + 1 : word.i + 4] if w.sentence == word.sentence)
+        told = re.match(r"(?P<ahead>in front|ahead)\b(?! of (?!ego))|(?P<following>behind)\b(?! (?!ego))", after)
+        return told.lastgroup or "" if told else ""
+
     def _distinguished(self, word: Word) -> bool:
         """Whether the noun phrase goes on to say which one: "the car in front of it", "the van that ..."."""
         for child in word.children:
@@ -167,9 +177,9 @@ class Reference(Owned):
             )
             if re.search(r"ahead|in front|slow|before it|precedes|\bleads\b|\bleading\b", near):
                 found.add("ahead")
-            if re.search(r"(?:the|from the) (?:other|opposite) (?:way|direction)|towards? (?:ego|it)\b", near):
+            if re.search(r"the (?:other|opposite|oncoming) (?:way|direction|lane|side)\b|towards? (?:ego|it)\b", near):
                 found.add("oncoming")
-            if re.match(r"\S+ (?:(?:is|was) )?(?:following|behind|trailing|close behind|travell?ing behind)\b", near):
+            if re.match(r"\S+ (?:(?:is|was) )?(?:follow(?:s|ed|ing)|behind|trailing|close behind|travell?ing behind)\b", near):
                 found.add("following")
             before = " ".join(
                 w.norm

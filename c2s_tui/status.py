@@ -86,7 +86,8 @@ def line(desk: Desk, choice: Choice, working: str, width: int, choosing: str = "
         lost = not_wholly(desk.structure, desk.idle)
         short = f"; {lost} clause{'s' * (lost > 1)} lost" if lost else ""
         whole = seen == required and not lost
-        add((f"{seen} of {required} requirements met{short}", "$text-success" if whole else "$text-warning"))
+        words = "requirements met" if width >= 100 else "met"
+        add((f"{seen} of {required} {words}{short}", "$text-success" if whole else "$text-warning"))
     if against := [c.id for c in desk.structure.components if c.conflict is not None]:
         said = f"{mark('conflict')} {', '.join(against)}: "
         add((said + (f"code or fields? {choosing} chooses" if width >= 100 else choosing), "bold $text-error"))

@@ -179,7 +179,7 @@ class Reference(Owned):
                 found.add("ahead")
             if re.search(r"the (?:other|opposite|oncoming) (?:way|direction|lane|side)\b|towards? (?:ego|it)\b", near):
                 found.add("oncoming")
-            if re.match(r"\S+ (?:(?:is|was) )?(?:follow(?:s|ed|ing)|behind|trailing|close behind|travell?ing behind)\b", near):
+            if re.match(r"\S+ (?:(?:is|was) )?(?:follow(?:s|ed|ing)|(?:close |travell?ing )?behind|trailing)\b", near):
                 found.add("following")
             before = " ".join(
                 w.norm

@@ -86,14 +86,15 @@ def _steps(course: Course) -> list[Step]:
                 done.append((done[-1][0][-1:], "until self._lane is place.acceleration_lane"))
         course.behind = _overtaken_later(course, phases[i:])
         home, course.home = course.home, []
-        done.extend(steps(course, phase))
+        own = steps(course, phase)
+        done.extend(own)
         if home:
             done.extend(home)
             course.aside = ""
         if phase.until is not None and done:
             actor = course.actor
             back = {**dict.fromkeys(LATERAL, 1), "overtake": 2}.get(phase.action, 0) if phase.abandoned else 0
-            out = -1 - back  # what it is broken off by, before the steps home
+            out = -max(min(1 + back, len(own)), 1)  # what it is broken off by, before the steps home
             done[out] = (done[out][0], f"until {watched(actor.structure, actor.plan, phase.until, actor.cid)}")
             if i + 1 == len(phases):  # it drives on
                 done.append(([course.drive(course.set(actor.value or SETS_OUT))], ""))

@@ -130,8 +130,9 @@ def _details(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
             and scene.stated(component_of(actor), f"{path}.trigger.value"):  # fmt: skip
         text = f"{name}: {said} when {scene.named(whom)} is {high(trigger.value):g} m away."
         centres = not scene.recognised(actor)  # `distance from` of a program is from centre to centre
+        hidden = whom == EGO and getattr(getattr(scene.actors[actor], "placement", None), "hidden_by", None) is not None
         yield scene.make("place", "at_distance", actor, f"{path}.trigger", text, other=whom, of=of,
-                         least=low(trigger.value), most=high(trigger.value), centres=centres,
+                         least=low(trigger.value), most=high(trigger.value), centres=centres, hidden=hidden,
                          action=phase.action)  # fmt: skip
 
 
@@ -361,6 +362,8 @@ def at_distance(requirement: Requirement, evidence: Evidence) -> Result:
         return unknown(requirement, f"{most:g} m away", "not reached: it was not seen")
     if str(v["action"]) in (*moments.SIDEWAYS, *moments.SETS_OUT):
         time = moments.onset(motion, str(v["action"]), time)
+    if v.get("hidden"):  # it is as it comes out that ego is so far away
+        time = motion.visible_from(time) or time
     at, there = motion.at(time), other.at(time)
     if v["centres"]:
         gap = float(np.hypot(motion.x[at] - other.x[there], motion.y[at] - other.y[there]))

@@ -359,6 +359,15 @@ def _how_far(structure: Structure, cid: str, phase: Phase, then: Phase | None, h
     return f"to_far_side(self, line, {heading})"
 
 
+def _come_out(structure: Structure, spec: ObjectSpec, t: Trigger, plan: Plan) -> Trigger:
+    """The trigger of somebody hidden: it is as it comes out that ego is so far away, which it does some steps later."""
+    hider = structure[spec.placement.hidden_by].spec if spec.placement.hidden_by else None
+    if t.kind != "distance" or t.of not in (None, "ego") or t.value is None or not isinstance(hider, ObjectSpec):
+        return t
+    sooner = plan.ego_top * inside(hider) / max(middle(pace_of(spec)), 0.5)
+    return t.model_copy(update={"value": (round(low(t.value) + sooner, 1), round(high(t.value) + sooner, 1))})
+
+
 def _sets_out(
     structure: Structure, cid: str, spec: ObjectSpec, phase: Phase, plan: Plan, speed: str, rate: float = 0
 ) -> str:
@@ -370,7 +379,7 @@ def _sets_out(
             return f"gap(self, {other}) < {value} * max({other}.speed, 3)"
         return f"seconds_to(ego, line, along_line(line, self.position)[0]) < {value}"
     if t and _tells_when(t):
-        return watched(structure, plan, t, cid)
+        return watched(structure, plan, _come_out(structure, spec, t, plan), cid)
     if _ego_stays(structure, plan):
         return "clock() >= 2"
     gained = f", {scope.number(rate)}" if rate else ""

@@ -270,7 +270,8 @@ def _confronted(course: Course, phase: Phase) -> bool:
 
 def _awaits(structure: Structure, cid: str, action: str) -> bool:
     """Whether an object begins something when ego does what that is then no answer to."""
-    triggers = [p.trigger for p in getattr(structure[cid].spec, "phases", ()) if p.trigger is not None]
+    phases = getattr(structure[cid].spec, "phases", ()) if cid in structure else ()  # not of ego itself
+    triggers = [p.trigger for p in phases if p.trigger is not None]
     return any(t.kind == "action" and t.of == "ego" and t.action == action for t in triggers)
 
 

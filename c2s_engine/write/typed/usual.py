@@ -57,8 +57,8 @@ def slows_before(speed: float, slower: float, rate: float = SLOWS_DOWN) -> Trigg
 
 
 def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[float, float]:
-    """The initial speed of a road user, m/s: its own, that of its first phase, or the usual one of its kind there; of
-    who is on foot or crosses, that at which it goes."""
+    """The initial speed of a road user, m/s: its own, that of its first phase, or the usual one of its kind there, at
+    most what is posted; of who is on foot or crosses, that at which it goes."""
     if isinstance(spec, ObjectSpec) and (crosses(spec) or is_walker(spec.type)):
         return pace_of(spec)
     if spec.speed is not None:
@@ -75,7 +75,8 @@ def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[floa
     if gained is not None and gained.action == "accelerate" and gained.speed is not None:
         return min(middle(usual[place.kind if place.kind in usual else "road"]), SPEEDS_UP * middle(gained.speed))
     turns = isinstance(spec, ObjectSpec) and turn_of(spec.phases) != "STRAIGHT" and "turning" in usual
-    return usual["turning"] if turns else usual[place.kind if place.kind in usual else "road"]
+    found = usual["turning"] if turns else usual[place.kind if place.kind in usual else "road"]
+    return found if place.speed_limit is None else min(found, place.speed_limit)
 
 
 def pace_of(o: ObjectSpec) -> float | tuple[float, float]:

@@ -14,6 +14,8 @@ METRES, SECONDS, SPEED = 25.0, 3.0, 5.0
 """m, s, m/s where no value is given."""
 ONTO_ROAD = ("cross_road", "enter_road")
 """What ego can answer only once it sees it."""
+MIRROR = 50
+"""m within which a driver sees who comes from behind."""
 SAME = 0.45
 """m/s within which a speed is reached."""
 FLASHES = {"flashing": "yellow", "dark": "off"}
@@ -76,6 +78,8 @@ def _seen(structure: Structure, subject: str, other: str, cids: tuple[str | None
     """That nothing is in the line of sight that S names as hiding one of the two; near enough where nothing does."""
     specs = [structure[cid].spec for cid in cids if cid and cid in structure]
     by = next((s.placement.hidden_by for s in specs if isinstance(s, ObjectSpec) and s.placement.hidden_by), None)
+    if by is None and any(isinstance(s, ObjectSpec) and s.placement.position == "behind" for s in specs):
+        return f"gap({subject}, {other}) < {MIRROR}"  # Scenic's drivers see 45 degrees to either side
     if by is None:
         return f"({subject} can see {other})"
     return f"not hides({scope.reference(structure, by)}, {subject}.position, {other}.position)"

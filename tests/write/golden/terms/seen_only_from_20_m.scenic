@@ -39,7 +39,7 @@ CHILD_SPEED = 2.2  # m/s
 
 behavior ChildBehavior():
     line = way(place.lane)
-    do Stand() until gap(self, ego) < 20
+    do Stand() until gap(self, ego) < 23.6
     do Walk(self.heading, CHILD_SPEED, to_far_side(self, line, self.heading))
 
 child = new Pedestrian at van offset by 1 @ (van.length / 2 + 0.65),

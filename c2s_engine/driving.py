@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from c2s_engine import paths
+from c2s_engine.structure.names import renamed
 
 MODULE = "c2s_driving"
 FILE = f"{MODULE}.scenic"
@@ -77,6 +78,13 @@ def used_by(program: str) -> bool:
     return _IMPORTS.search(program) is not None
 
 
+def imported(program: str) -> dict[str, str]:
+    """The names of the library that a program imports one by one, each with what it calls them."""
+    named = " ".join(line.partition(" import ")[2] for line in _IMPORTS.findall(program))
+    pairs = re.findall(r"(\w+)(?: as (\w+))?", named)
+    return {name: own or name for name, own in pairs}
+
+
 def beside(folder: str | Path) -> str | None:
     """The text of a library in a program's folder that is not the shipped one (of another version, or changed)."""
     try:
@@ -91,7 +99,7 @@ def inlined(program: str) -> str:
     if not used_by(program):
         return program
     parts = {name: part for part in _parts() for name in _names(part)}
-    called = dict(re.findall(r"(\w+) as (\w+)", "".join(_IMPORTS.findall(program))))  # where it has another such name
+    called = {name: own for name, own in imported(program).items() if name != own}
     wanted = set(called)
     todo = [_IMPORTS.sub("", program), *(parts[name] for name in called if name in parts)]
     while todo:
@@ -99,7 +107,7 @@ def inlined(program: str) -> str:
             wanted.add(word)
             todo.append(parts[word])
     kept = "\n".join(part.rstrip("\n") + "\n" for part in _parts() if not _names(part) or wanted & set(_names(part)))
-    kept = re.sub(r"(?<![.\w])[A-Za-z_]\w*", lambda m: called.get(m[0], m[0]), kept)
+    kept = renamed(kept, called)
     first, *others = _IMPORTS.findall(program)
     program = program.replace(first, f"\n# From {FILE}\n{kept}\n", 1)
     return "".join(line for line in program.splitlines(keepends=True) if line not in others)

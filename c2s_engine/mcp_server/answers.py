@@ -37,7 +37,7 @@ def needs_folder(output: str | None) -> None:
         raise InputError(f"There is no folder {Path(output).parent}: make it, or save elsewhere.")
 
 
-def scenario(done: Finished, output: str | None) -> dict[str, Any]:
+def scenario(done: Finished, output: str | None, idle: Sequence[Unmet] = ()) -> dict[str, Any]:
     """A turn's end: the program, S and what the run showed; saved where that is wanted."""
     saved = []
     if output and done.program.text:
@@ -49,7 +49,7 @@ def scenario(done: Finished, output: str | None) -> dict[str, Any]:
     return {
         "ok": done.ok,
         "program": done.program.text,
-        **structure(done.structure, done.details.get("without_effect", ())),
+        **structure(done.structure, idle),
         "problems": [_problem(d) for d in done.diagnostics],
         "events": show.events_as_dicts(done.facts),
         "required": required(done.requirements, done.results),

@@ -22,6 +22,7 @@ from c2s_engine.commands.reading import description, read_program
 from c2s_engine.config import Settings
 from c2s_engine.maps.library import MapNotFound
 from c2s_engine.mcp_server import answers
+from c2s_engine.structure.components import Unmet
 from c2s_engine.structure.progress import Finished, Passage, Say, StageStarted, Token
 
 INSTRUCTIONS = """c2s turns a description of a driving scenario into a Scenic program that really runs, and keeps text,
@@ -121,7 +122,9 @@ class Service:
             options = {"method": method, "map": map, "seed": seed, "runs": runs, "strict": strict}
             done, _ = await teller.finish(self.engine.generate(words, **options))  # type: ignore[arg-type]
             assert done is not None
-            return {**answers.scenario(await self._whole(done), output), "notes": teller.notes}
+            embedded = (method or self.engine.settings.method) == "embedded"
+            idle = await self._idle(self.engine.without_effect(words)) if embedded else ()
+            return {**answers.scenario(done, output, idle), "notes": teller.notes}
 
         return await self._work(work)
 
@@ -211,8 +214,8 @@ class Service:
                     done, passages = await teller.finish(opened.say(description(say), **options))
                 if edits:
                     done, _ = await teller.finish(opened.apply(edits, **options))
-                now = await self._whole(done or state_of(opened))
-                told = {**answers.scenario(now, output), "notes": teller.notes}
+                idle = await self._idle(opened.without_effect())
+                told = {**answers.scenario(done or state_of(opened), output, idle), "notes": teller.notes}
                 told["passages"] = [answers.passage(p) for p in passages]
                 told["turns"] = [t.text or t.summary for t in opened.history]
                 return told
@@ -257,16 +260,12 @@ class Service:
 
         return await self._work(work)
 
-    async def _whole(self, done: Finished) -> Finished:
-        """A turn's end with the phrases of its text that make no difference to S, where the interpreter has read it."""
-        text = done.structure.text
-        if not text or any(c.origin == "generated" for c in done.structure.components):
-            return done
+    async def _idle(self, looked_for: Awaitable[tuple[Unmet, ...]]) -> tuple[Unmet, ...]:
+        """The phrases of a text that make no difference to its S; none of what cannot be read: its turn says so."""
         try:
-            idle = await self.engine.without_effect(text)
-        except ValueError:  # what cannot be read is said by the turn
-            return done
-        return done.model_copy(update={"details": {**done.details, "without_effect": idle}})
+            return await looked_for
+        except ValueError:
+            return ()
 
     def _program(self, program: str | None, file: str | None) -> tuple[str, str | None, str]:
         """(text, folder of its map and what it imports, file name) of a program; raises InputError."""

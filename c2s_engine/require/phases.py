@@ -13,7 +13,7 @@ from c2s_engine.require.scene import Scene, bounds, kmh, shown_by
 from c2s_engine.structure.facts import EGO, component_of
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result, Value
-from c2s_engine.structure.specs import Phase
+from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.structure.triggers import is_watched
 
 SIDED = ("cut_in", "cut_out", "swerve", "drift", "leave_road")
@@ -130,7 +130,8 @@ def _details(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
             and scene.stated(component_of(actor), f"{path}.trigger.value"):  # fmt: skip
         text = f"{name}: {said} when {scene.named(whom)} is {high(trigger.value):g} m away."
         centres = not scene.recognised(actor)  # `distance from` of a program is from centre to centre
-        hidden = whom == EGO and getattr(getattr(scene.actors[actor], "placement", None), "hidden_by", None) is not None
+        one = scene.objects.get(actor)
+        hidden = whom == EGO and isinstance(one, ObjectSpec) and one.placement.hidden_by is not None
         yield scene.make("place", "at_distance", actor, f"{path}.trigger", text, other=whom, of=of,
                          least=low(trigger.value), most=high(trigger.value), centres=centres, hidden=hidden,
                          action=phase.action)  # fmt: skip

@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from c2s_engine.session.as_run import BRAKES as BEGINS
 from c2s_engine.session.decided import decided, hedged, shown_of
 from c2s_engine.session.glossary import meaning
 from c2s_engine.session.question import Question, read
@@ -61,7 +62,7 @@ _NEXT = re.compile(rf"(?:\?\s*(?:and|or|but)?|,?\s+and)\s+(?={_QUESTION})", re.I
 _WHY = re.compile(r"^(?:and |but |so )?(?:why|what makes|what made)\b", re.I)
 _NOT = re.compile(r"\b(?:not|never|fail\w*)\b|n['’]t\b", re.I)
 _OF_EGO = re.compile(r"\b(?:I|me|my|we|us|our|you|your)\b", re.I)
-BRAKES = ("brake", "brake_hard", "stop")
+BRAKES = (*BEGINS, "stop")
 SHORTLY = 2.0
 """s before somebody brakes in which what happens can be why."""
 _FUNCTION = "why what makes made did does do is are was were has have had will would not never fail the an of for to it"
@@ -288,7 +289,7 @@ def _why_braked(asked: _Asked) -> str:
     if any("brake" in p.action or p.action == "stop" for p in spec.phases):
         said.append("braking is one of the steps that S gives ego")
     here = next((o for o in asked.facts.objects if o.name == EGO), None) if asked.shown.facts else None
-    first = next((e for e in here.events if e.event in BRAKES and e.time > 0), None) if here else None
+    first = next((e for e in here.events if e.event in BEGINS and e.time > 0), None) if here else None
     if here and first is None:
         said.append("in the run ego does not brake")
     elif first:

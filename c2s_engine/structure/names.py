@@ -39,3 +39,8 @@ def uses(code: str) -> frozenset[str]:
     except (tokenize.TokenError, SyntaxError, IndentationError):
         names.update(re.findall(r"(?<!\.)\b[A-Za-z_]\w*", code))
     return frozenset(names)
+
+
+def renamed(code: str, called: dict[str, str]) -> str:
+    """The code in which names, but for attributes, are others."""
+    return re.sub(r"(?<![.\w])[A-Za-z_]\w*", lambda m: called.get(m[0], m[0]), code) if called else code

@@ -89,11 +89,12 @@ def unmet(demand: str, before: Structure, after: Structure) -> Left:
     spans = [s for s in scan.names(demand) if s.kind in ("actor", "label", "ego")]
     spans += [Span("id", *m.span()) for m in re.finditer(r"\bo[1-9]\b", demand)]
     edited = {path.partition(".")[0] for path, _ in changed}
-    parts = [*(c for c in after.components if c.id in edited), *_named(demand, spans, after)]
+    named = _named(demand, spans, after)
+    parts = [*(c for c in after.components if c.id in edited), *(c for _, c in named)]
     parts = [*(parts or after.components), after.place, after.settings, after.restrictions]
     values = [*changed, *(v for c in parts for v in _leaves("", c.spec.model_dump()))]
     needed = [*_numbers(demand, changed, values), *_others(demand, changed, _NEEDED)]
-    besides = [*_moments(demand, changed), *_others(demand, changed, _BESIDES), *_parties(demand, spans, edited, after)]
+    besides = [*_moments(demand, changed), *_others(demand, changed, _BESIDES), *_parties(named, edited)]
     words = [*_words(demand, spans, values), *_sky(demand, spans, values), *_acts(demand, changed, values)]
     if not changed and (only := re.search(r"\b(?:only|just) [\w ]+$", demand)):
         needed.append(only[0])
@@ -104,24 +105,21 @@ def unmet(demand: str, before: Structure, after: Structure) -> Left:
     return Left((*needed, *words), tuple(besides))
 
 
-def _parties(demand: str, spans: Sequence[Span], edited: set[str], structure: Structure) -> list[str]:
+def _named(demand: str, spans: Sequence[Span], structure: Structure) -> list[tuple[str, Component]]:
+    """Whom a demand names, in its order, with the words."""
+    said = [demand[s.start : s.end] for s in sorted(spans, key=lambda s: s.start)]
+    found = [(words, refer(f"the {words}", structure, alone=False)) for words in said]
+    return [(words, one) for words, one in found if one is not None]
+
+
+def _parties(named: list[tuple[str, Component]], edited: set[str]) -> list[str]:
     """Those whom a demand names after the one it is about, and whom nothing in S refers to with that one."""
-    found: list[tuple[str, Component]] = []
-    for span in sorted(spans, key=lambda s: s.start):
-        words = demand[span.start : span.end]
-        if span.kind != "ego" and (one := refer(f"the {words}", structure, alone=False)) is not None:
-            found.append((words, one))
-    if not found:
+    objects = [(words, c, {v for _, v in _leaves("", c.spec.model_dump())}) for words, c in named if c.kind == "O"]
+    if not objects:
         return []
-    first = found[0][1]
-    about = {str(v) for _, v in _leaves("", first.spec.model_dump())}
-    return [words for words, one in found[1:] if one.id not in {first.id, *about, *edited}
-            and not any(v == first.id for _, v in _leaves("", one.spec.model_dump()))]  # fmt: skip
-
-
-def _named(demand: str, spans: Sequence[Span], structure: Structure) -> list[Component]:
-    found = [refer(f"the {demand[s.start : s.end]}", structure, alone=False) for s in spans]
-    return [c for c in found if c is not None]
+    _, first, about = objects[0]
+    known = {first.id, *about, *edited}
+    return [words for words, one, values in objects[1:] if one.id not in known and first.id not in values]
 
 
 def _numbers(demand: str, changed: list[Value], values: list[Value]) -> list[str]:

@@ -6,13 +6,11 @@ from collections.abc import Mapping
 
 from c2s_engine.interpret.composing.delayed import begun, delayed
 from c2s_engine.interpret.composing.objects import Draft
-from c2s_engine.interpret.composing.seen import DONE, ENTERS, SEEN, shown
+from c2s_engine.interpret.composing.seen import DONE, ENTERS, MARKS, SEEN, shown
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
-
-MARKS = frozenset(("when", "once", "as", "after"))
 
 
 def waited_for(scene: Scene, ego: EgoSpec, drafts: list[Draft], ids: Mapping[Entity, str]) -> EgoSpec:

@@ -36,7 +36,6 @@ def compose(scene: Scene) -> Structure:
     in_turn(scene, ego, drafts, ids)
     ego = settle(scene, ego, place, drafts, ids)
     place, turn_assumed = by_the_side_road(place, ego, drafts)
-    drafts += []
     place_assumed = [*_place_assumed(scene, place), *turn_assumed]
     untold = unmet.find(scene)
     ego_assumed += [Assumption(field="reaction", value="", reason=r) for r in unmet.alternatives(scene, scene.cast.ego)]

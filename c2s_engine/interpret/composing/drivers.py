@@ -7,6 +7,7 @@ from c2s_engine.interpret.composing.ego_pace import ego_pace
 from c2s_engine.interpret.composing.lasting import lasting
 from c2s_engine.interpret.composing.own_braking import SHORT_OF, told_braking, told_stop
 from c2s_engine.interpret.composing.passive import RESPONSES, remains_passive
+from c2s_engine.interpret.composing.seen import MARKS
 from c2s_engine.interpret.composing.steps import ONWARDS, duration_of, rate_of, target_speed, trigger_of
 from c2s_engine.interpret.composing.tidied import tidy
 from c2s_engine.interpret.roles.ego_others import free_side, in_lane_conflict, last_actor, passed, way_back
@@ -21,7 +22,6 @@ RETURNS = frozenset(("overtake", "oncoming", "swerve"))
 RETURNING = re.compile(r"return|back|own lane|its lane")
 GOES_BY = frozenset(("overtake", "travel", "cross_road", "cross_path", "go_straight", "leave_road", "turn"))
 """What another does who is gone then."""
-AS_SOON_AS = frozenset(("once", "after", "as", "when"))
 AROUND = frozenset(("overtake", "oncoming", "lane_change", "cut_out", "evade", "swerve", "u_turn"))
 """What ego does to get past what it stopped for."""
 WIDE = re.compile(r"\b(?:berth|clearance|room|space)\b")
@@ -36,10 +36,10 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     others = [e for e in scene.actors if e in ids]
     phases: list[Phase] = []
     reaction, react_to, hard = "none", None, False
-    said_reaction, _waits_at = False, 0
+    said_reaction = False
     response: Phase | None = None  # that is no phase: after it ego may go on
     for event in events:
-        if (first := _awaited(scene, event, ids)) and (response or phases and phases[-1].action in ("stop", "wait")):
+        if (first := _gone_by(scene, event, ids)) and (response or phases and phases[-1].action in ("stop", "wait")):
             phases += [response] if response else []
             if phases[-1].action == "wait":
                 phases.pop()
@@ -50,7 +50,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
         towards = side(event)
         trigger = trigger_of(event)
         if act == "yield":
-            reaction, said_reaction, _waits_at = "yield", True, len(phases)
+            reaction, said_reaction = "yield", True
             stands = event.patient is not None and bool(event.patient.roles & {"parked"})  # "gives way behind" those
             react_to = react_to or (None if stands else who)
         elif onward := _goes_on(event, response or (phases[-1] if phases else None), who or _before(scene, event, ids)):
@@ -218,12 +218,11 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
     return spec, assumed
 
 
-def _awaited(scene: Scene, event: Event, ids: dict[Entity, str]) -> str | None:
+def _gone_by(scene: Scene, event: Event, ids: dict[Entity, str]) -> str | None:
     """Who has gone by, in the clause before or behind it, when ego does what an event says."""
-    sentence = scene.words[event.word].sentence
-    by = [e for e in scene.clauses.events if e.agent in ids and e.act in GOES_BY and e.mode == "fact"
-          and e.adverbial in AS_SOON_AS and scene.words[e.word].sentence == sentence]  # fmt: skip
-    return next((ids[e.agent] for e in by if event.order - 8 < e.order < event.order), None)
+    gone = [e for e in scene.clauses.events if e.agent in ids and e.act in GOES_BY and e.mode == "fact"]
+    joined = (e for e in gone if e.adverbial in MARKS and scene.clauses.joined_to(e) is event)
+    return next((ids[e.agent] for e in joined if not e.agent.ego), None)
 
 
 def _before(scene: Scene, event: Event, ids: dict[Entity, str]) -> str | None:

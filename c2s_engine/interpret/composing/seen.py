@@ -27,6 +27,8 @@ DONE |= {"overtake": ("overtake",), "go_straight": ("go_straight",), "evade": ("
 INTO = re.compile(
     r"^(?:enter|reach|arrive at|drive into|be in|get to|come to) (?:the |an? )?(?:junction|intersection|crossroads?)"
 )
+MARKS = frozenset(("when", "once", "as", "after"))
+"""What joins to a clause the one about what is awaited."""
 ENTERS = frozenset(("travel", "go_straight", "cross_path", "turn"))
 
 

@@ -7,29 +7,29 @@ def tidy(phases: list[Phase], place: PlaceSpec) -> list[Phase]:
     """Each phase once, and only what comes of it where one leads into the next."""
     found: list[Phase] = []
     for phase in phases:
-        there = found and found[-1].action == phase.action and found[-1].target == phase.target
-        if there and not (found[-1].side and phase.side and found[-1].side != phase.side):
+        last = found[-1] if found else None
+        there = last and last.action == phase.action and last.target == phase.target
+        if last and there and not (last.side and phase.side and last.side != phase.side):
             continue
-        resumes = phase.action == "follow" and found and found[-1].action in ("stop", "wait")
+        resumes = phase.action == "follow" and last and last.action in ("stop", "wait")
         once = phase.action in ("turn_left", "turn_right", "go_straight", "u_turn", "follow", "overtake")
         if once and not resumes and any(p.action == phase.action and p.target == phase.target for p in found):
             continue
-        last = found[-1] if found else None
         to_a_stop = last and last.action == "brake" and not (phase.trigger or last.speed or last.duration)
         if last and to_a_stop and phase.action == "stop":
             rate, target = phase.rate or last.rate, phase.target or last.target  # it brakes to a stop
             found[-1] = phase.model_copy(update={"rate": rate, "target": target, "trigger": last.trigger})
             continue
-        if found and found[-1].action == "lose_control" and phase.action in ("leave_road", "oncoming", "drift"):
+        if last and last.action == "lose_control" and phase.action in ("leave_road", "oncoming", "drift"):
             found[-1] = phase
             continue
-        if found and found[-1].action == "lane_change" and phase.action == "drift" and phase.side == found[-1].side:
+        if last and last.action == "lane_change" and phase.action == "drift" and phase.side == last.side:
             continue
-        if found and found[-1].action == "stop" and phase.action == "brake" and phase.speed is phase.trigger is None:
+        if last and last.action == "stop" and phase.action == "brake" and phase.speed is phase.trigger is None:
             continue
-        if found and found[-1].action == "enter_road" and phase.action in ("start", "lane_change"):
+        if last and last.action == "enter_road" and phase.action in ("start", "lane_change"):
             continue
-        if found and found[-1].action in ("oncoming", "drift", "leave_road") and phase.action == "lose_control":
+        if last and last.action in ("oncoming", "drift", "leave_road") and phase.action == "lose_control":
             continue
         if phase.action == "stationary" and found:
             continue

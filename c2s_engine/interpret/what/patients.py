@@ -164,7 +164,8 @@ class Patients(Rendering):
 
     def _at_rest(self, actor: Entity) -> bool:
         """Whether one is said to stand."""
-        return any(e.agent is actor and e.act in ("stationary", "reverse") for e in self.events)
+        stands = any(e.agent is actor and e.act in ("stationary", "reverse") for e in self.events)
+        return stands or bool(actor.roles & {"parked", "stationary"})
 
     def _was_off_road(self, actor: Entity) -> bool:
         if "parked" in actor.roles:

@@ -144,28 +144,14 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     waited_for(cast, clauses)
     _meant_and_done(clauses)
     overtakings(clauses)
-    _stands_in_the_way(cast, clauses)
     _nobody_follows_itself(cast, clauses)
-    _only_meant(clauses)
-    contact = [e for e in clauses.events if e.act == "collide" and e.mode == "fact"]
     for event in clauses.events:
-        if (
-            event.mode == "purpose"
-            and event.act == "overtake"
-            and any(c.order > event.order and (c.agent is event.agent or event.agent in c.also) for c in contact)
-        ):
-            event.mode = "hypothetical"
+        if event.mode == "purpose" and event.act == "overtake":
+            later = [e for e in clauses.events if e.order > event.order and e.mode == "fact"]
+            own = {e.act for e in later if e.agent is event.agent or event.agent in e.also and e.act == "collide"}
+            if "collide" in own or "follow" in own and "overtake" not in own:  # it came to nothing
+                event.mode = "hypothetical"
     clauses.events.sort(key=lambda e: e.order)
-
-
-BLOCKS = frozenset(("block", "obstruct"))
-
-
-def _stands_in_the_way(cast: Cast, clauses: Clauses) -> None:
-    """Who blocks a lane and of whom no movement is told stands there."""
-    for event in [e for e in clauses.events if e.act == "cut_in" and clauses._lemma(cast.words[e.word]) in BLOCKS]:
-        if not any(e.agent is event.agent and e is not event and e.done for e in clauses.events):
-            event.act = "stationary"
 
 
 def _nobody_follows_itself(cast: Cast, clauses: Clauses) -> None:
@@ -177,16 +163,6 @@ def _nobody_follows_itself(cast: Cast, clauses: Clauses) -> None:
                   and cast.words[e.word].sentence == word.sentence]  # fmt: skip
         if before and any(cast.referent(c) is event.agent for c in objects):
             event.patient, event.agent = event.agent, max(before, key=lambda e: e.order).agent
-
-
-def _only_meant(clauses: Clauses) -> None:
-    """Who goes aside to overtake, then has to brake and comes to follow, has not overtaken."""
-    for event in clauses.events:
-        if event.act == "overtake" and event.mode == "purpose":
-            own = [e for e in clauses.events if e.agent is event.agent and e.mode == "fact"]
-            later = {e.act for e in own if e.order > event.order}
-            if "follow" in later and "overtake" not in later:
-                event.mode = "hypothetical"
 
 
 def _meant_and_done(clauses: Clauses) -> None:

@@ -39,14 +39,14 @@ class Gaps:
     def _gap(self, indices: list[int], where: Where, entity: Entity | None = None) -> None:
         if where.gap is not None:
             return
-        text = self.clauses.render(indices)
+        text, stops = self.clauses.render(indices), self._stops()
         for quantity in self.clauses._quantities(indices):
             whose = self._whose(quantity["word"]) if entity is not None else None
             if whose is not None and whose is not entity and not whose.ego:
                 continue
             before = " ".join(w.norm for w in self.words[max(0, quantity["word"] - 5) : quantity["word"]])
             after = " ".join(w.norm for w in self.words[quantity["word"] + 1 : quantity["word"] + 8])
-            if quantity["dimension"] == "distance" and quantity["start"] not in self._stops():
+            if quantity["dimension"] == "distance" and quantity["start"] not in stops:
                 if (
                     re.match(r"\s*(\S+ )?(away )?from the (\w+ )?(kerb|curb|edge|verge)", after)
                     or not SHORTEST <= quantity["low"] <= 800

@@ -5,6 +5,8 @@ there the place is read from where its ego stands.
 """
 
 import re
+from functools import cache
+from itertools import takewhile
 
 from c2s_engine import driving
 from c2s_engine.maps.expressions import MANOEUVRE_TYPE
@@ -23,7 +25,6 @@ PREFIX = "c2s_"
 _OF_CARLA = re.compile(r"^model scenic\.simulators\.carla\.model\b", re.MULTILINE)
 IN_DOMAIN = {"Car", "Pedestrian"}
 """The classes of S's types that every model of the driving domain has."""
-_IMPORTED = re.compile(rf"^from {driving.MODULE} import (.+)$", re.MULTILINE)
 
 
 def among(structure: Structure, cid: str, body: str, plan: Plan) -> str:
@@ -31,9 +32,9 @@ def among(structure: Structure, cid: str, body: str, plan: Plan) -> str:
     own = _own(structure)
     if structure.ego.origin not in layout.OWN or driving.used_by(own):
         return body  # it stands in a program of ours
-    earlier = [c.code for c in structure.objects[: structure.ids.index(cid) - structure.ids.index("O1")]
-               if c.origin not in layout.OWN]  # fmt: skip
-    theirs, ours = names.defines(own), names.defines("\n".join(earlier)).keys() | _imported("\n".join(earlier))
+    before = takewhile(lambda c: c.id != cid, structure.objects)
+    earlier = "\n".join(c.code for c in before if c.origin not in layout.OWN)
+    theirs, ours = names.defines(own), names.defines(earlier).keys() | set(driving.imported(earlier).values())
     values = _values(structure, plan) | ({} if _OF_CARLA.search(own) else _classes())
     called = {n: PREFIX + n for n in theirs if n in driving.names() or n in ("place", "EGO_AT")}
     lines: list[str] = []
@@ -56,7 +57,7 @@ def among(structure: Structure, cid: str, body: str, plan: Plan) -> str:
     need(body)
     shown = [f"{n} as {called[n]}" if n in called else n for n in sorted(library)]
     head = [f"from {driving.MODULE} import {', '.join(shown)}"] if shown else []
-    return "\n".join([*head, *(_renamed(line, called) for line in [*lines, body])])
+    return "\n".join([*head, *(names.renamed(line, called) for line in [*lines, body])])
 
 
 def _own(structure: Structure) -> str:
@@ -79,6 +80,7 @@ def _values(structure: Structure, plan: Plan) -> dict[str, str]:
     return found
 
 
+@cache
 def _classes() -> dict[str, str]:
     """The classes of CARLA's model that the driving domain lacks, as large as the first type that is one."""
     found: dict[str, str] = {}
@@ -88,12 +90,3 @@ def _classes() -> dict[str, str]:
             size = f"    width: {scope.number(WIDTH[kind])}\n    length: {scope.number(LENGTH[kind])}\n"
             found.setdefault(name, f"class {name}({base}):\n{size}")
     return found
-
-
-def _imported(code: str) -> set[str]:
-    """The names under which code imports parts of the library."""
-    return {n.strip().rpartition(" ")[2] for row in _IMPORTED.findall(code) for n in row.split(",")}
-
-
-def _renamed(code: str, called: dict[str, str]) -> str:
-    return re.sub(r"(?<![.\w])[A-Za-z_]\w*", lambda m: called.get(m[0], m[0]), code) if called else code

@@ -43,7 +43,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             phases += [response] if response else []
             if phases[-1].action == "wait":
                 phases.pop()
-            phases.append(Phase(action="wait", until=Trigger(kind="passed", of=first)))
+            phases.append(Phase(action="wait", until=Trigger(kind="passed", subject=first, of="ego")))
             response = None
         who = ids.get(event.patient) if event.patient is not None and not event.patient.ego else None
         act = event.act
@@ -219,7 +219,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
 
 
 def _gone_by(scene: Scene, event: Event, ids: dict[Entity, str]) -> str | None:
-    """Who has gone by, in the clause before or behind it, when ego does what an event says."""
+    """Who has gone by ego, in the clause joined to it, when ego does what an event says."""
     gone = [e for e in scene.clauses.events if e.agent in ids and e.act in GOES_BY and e.mode == "fact"]
     joined = (e for e in gone if e.adverbial in MARKS and scene.clauses.joined_to(e) is event)
     return next((ids[e.agent] for e in joined if not e.agent.ego), None)

@@ -24,7 +24,7 @@ def warm(standins: Path, runner: str | None = None) -> None:
     if standins.is_dir():
         sys.path.insert(0, str(standins))
         sys.path.append(str(standins / "spare"))
-    sys.path.append(str(driving.path().parent))
+    sys.path.insert(0, str(driving.path().parent))  # before the folder that c2s was started in, which may hold a copy
     import scenic.syntax.translator as translator
     from scenic.core import regions, type_support
     from scenic.domains.driving import roads

@@ -356,7 +356,7 @@ def _next_reaction(requirement: Requirement, evidence: Evidence, first: float, c
     reasons = [m.visible_from() for o in others for m in evidence.motions(str(o))]
     if not any(seen is not None and seen <= first for seen in reasons):
         return first
-    braking = np.flatnonzero((ego.acceleration < -1.0) & (ego.time >= cause))
+    braking = np.flatnonzero((ego.acceleration < -1.0) & (ego.time >= cause + bounds()["reaction"]["least"]["value"]))
     return float(ego.time[braking[0]]) if len(braking) else first
 
 

@@ -10,6 +10,7 @@ from pydantic import TypeAdapter
 
 from c2s_engine.session import in_place, steps, unwritten
 from c2s_engine.session.citing import resting_on, uncited
+from c2s_engine.session.following import following
 from c2s_engine.session.improving import can_improve, improved, summed
 from c2s_engine.session.methods import Method, method_named
 from c2s_engine.session.places import demanded
@@ -20,8 +21,8 @@ from c2s_engine.session.steps import Tools
 from c2s_engine.solve.defaults import with_usual_reaction
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
-from c2s_engine.structure.edits import Edit, Replace, placed_in_order
-from c2s_engine.structure.progress import StructureChanged
+from c2s_engine.structure.edits import Edit, Replace, SetCode, SetProgram, placed_in_order
+from c2s_engine.structure.progress import Say, StructureChanged
 from c2s_engine.structure.sentences import retold
 from c2s_engine.write import by_hand
 
@@ -102,6 +103,10 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
             structure = by_hand.apply(structure, edit)
             read = structure if isinstance(edit, Replace) else read  # what edits by hand are read upon
         structure = by_hand.with_names(structure, read)
+        if edits and not any(isinstance(e, Replace | SetProgram | SetCode) for e in edits):
+            structure, said = following(before, structure)
+            for text in said:
+                emit(Say(text=text))
         method = method_of(state)
         for edit in method.described(before, structure) if edits else []:
             structure = steps.apply(structure, edit)

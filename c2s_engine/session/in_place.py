@@ -4,6 +4,7 @@ and nothing else anew. Where no literal does, the code stays for the writer's of
 import contextlib
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from c2s_engine.check.client import CheckClient, CheckError
@@ -27,6 +28,7 @@ from c2s_engine.write.in_place import (
     data,
     ground,
     halves,
+    looks,
     put,
     same,
     sky,
@@ -35,6 +37,7 @@ from c2s_engine.write.in_place import (
     told,
 )  # fmt: skip
 from c2s_engine.write.merged import merged
+from c2s_engine.write.renamed import in_code
 from c2s_engine.write.typed.writer import MapChoice, TypedWriter
 
 READINGS = 40
@@ -47,17 +50,22 @@ async def followed(
 ) -> tuple[Structure, list[ComponentId]]:
     """The structure after edits, with code by hand changed where it can follow them; whose code that is. What is in
     conflict already stays as it is until that is settled."""
+    before, after, called = in_code(before, after)
+    for cid, own_names in called.items():
+        pairs = ", ".join(f"{old} -> {new}" for old, new in own_names.items())
+        emit(Say(text=f"{cid}: your code goes by the new names ({pairs})."))
+        emit(ComponentState(component=after[cid], state="by_hand"))
     own = [c for c in after.components if c.origin in by_hand.OWN and c.id in before]
     asked = [c.id for c in own if _edited(before[c.id], c) and before[c.id].conflict is None]
-    merging = []
+    merging = list(called)
     for cid in [cid for cid in asked if before[cid].origin == "by_hand"]:
         if (ours := _merged(before, after, cid, writer)) is not None:
             emit(Say(text=f"{cid}: the change was merged into your code."))
             emit(ComponentState(component=ours, state="by_hand"))
             after = by_hand.followed(after.with_component(ours), before, cid, by_hand.in_step(before, cid))
             before = before.with_component(after[cid])
-            merging.append(cid)
-    asked = [cid for cid in asked if cid not in merging]
+            merging = list(dict.fromkeys([*merging, cid]))
+    asked = [cid for cid in asked if _edited(before[cid], after[cid])]
     if not asked:
         return after, merging
     reader = _Reader(check)
@@ -72,7 +80,7 @@ async def followed(
         else:
             await work.component(cid)
     after, changed = work.marked(emit)
-    return after, [*merging, *changed]
+    return after, list(dict.fromkeys([*merging, *changed]))
 
 
 def _merged(before: Structure, after: Structure, cid: ComponentId, writer: TypedWriter) -> Component | None:
@@ -198,6 +206,8 @@ class _Work:
             ):
                 self.structure, self.read, self.notes = kept
                 return False
+        if kind:
+            await self._swapped(cid, looks(self.structure, cid), partial(_of_type, there))
         return True
 
     async def _change(self, cid: ComponentId, there: ComponentId, change: Change, loose: bool) -> bool:
@@ -295,6 +305,12 @@ def _says(read: Structure, there: ComponentId, wanted: Any, was: Structure, loos
         if not same(told, meant):
             return False
     return True
+
+
+def _of_type(there: ComponentId, was: Structure, now: Structure) -> bool:
+    """Whether a component is of the type that it was, and the others are as they were."""
+    same_type = now.ids == was.ids and data(now[there])["type"] == data(was[there])["type"]
+    return same_type and all(now[c].spec == was[c].spec for c in now.ids if c != there)
 
 
 def _only_sky(was: Structure, now: Structure) -> bool:

@@ -16,7 +16,7 @@ def yes_or_no(question: str, structure: Structure) -> str:
     if not _ASKS.match(question.strip()):
         return ""
     found = [(c, f, value) for c in structure.components for f in _asked_fields(c) for value in f.choices
-             if value not in _SAY_NOTHING and _named(value, question)]  # fmt: skip
+             if value not in _SAY_NOTHING and _named(value, question, anew=f.path == _TYPE)]  # fmt: skip
     own = [(c, f, v) for c, f, v in found if _is(f, v)]
     others = [c for c in found if c not in own]
     named = {c.id for c in structure.components if isinstance(c.spec, ObjectSpec) and _named(c.spec.name, question)}
@@ -47,10 +47,12 @@ def _is(field: Field, value: str) -> bool:
     return value in field.value if isinstance(field.value, list | tuple) else value == field.value
 
 
-def _named(value: str, question: str) -> bool:
-    """Whether a question has a value's words, whatever their ending ("fog", "foggy")."""
+def _named(value: str, question: str, anew: bool = False) -> bool:
+    """Whether a question has a value's words, whatever their ending ("fog", "foggy"); `anew`: not of one who is known
+    ("can it see the bus?" does not ask what is a bus)."""
     words = r"[ -]".join(map(re.escape, value.split("_")))
-    return re.search(rf"\b{words}(?:s|es|y|gy|ny|ing)?\b", question, re.I) is not None
+    known = r"(?<!\bthe )" if anew else ""
+    return re.search(rf"{known}\b{words}(?:s|es|y|gy|ny|ing)?\b", question, re.I) is not None
 
 
 def _plain(value: object) -> str:

@@ -55,6 +55,7 @@ class AddObject(_Edit):
     spec: ObjectSpec
     description: str = ""
     component: ComponentId | None = None
+    unmet: tuple[Unmet, ...] = ()
 
 
 class RemoveObject(_Edit):
@@ -108,7 +109,7 @@ def apply(structure: Structure, edit: Edit) -> Structure:
         cid = edit.component or structure.next_object_id()
         if cid in structure:
             raise EditError(f"there is already a component {cid}")
-        added = Component(id=cid, description=edit.description, spec=edit.spec)
+        added = Component(id=cid, description=edit.description, spec=edit.spec, unmet=edit.unmet)
         return structure.model_copy(update={"objects": (*structure.objects, added)})
     if edit.component not in structure:
         raise EditError(f"there is no component {edit.component}; there are {', '.join(structure.ids)}")

@@ -42,5 +42,20 @@ def uses(code: str) -> frozenset[str]:
 
 
 def renamed(code: str, called: dict[str, str]) -> str:
-    """The code in which names, but for attributes, are others."""
-    return re.sub(r"(?<![.\w])[A-Za-z_]\w*", lambda m: called.get(m[0], m[0]), code) if called else code
+    """The code in which names are others: not attributes, names of arguments, comments or strings."""
+    if not called:
+        return code
+    lines, found, depth = code.splitlines(keepends=True), [], 0
+    try:
+        tokens = list(tokenize.generate_tokens(io.StringIO(code).readline))
+    except (tokenize.TokenError, SyntaxError, IndentationError):
+        return code
+    for before, token, after in zip([tokens[0], *tokens], tokens, [*tokens[1:], tokens[-1]], strict=False):
+        depth += (token.string in "([{") - (token.string in ")]}") if token.type == tokenize.OP else 0
+        argument = depth > 0 and after.string == "="
+        if token.type == tokenize.NAME and token.string in called and before.string != "." and not argument:
+            found.append(token)
+    for token in reversed(found):
+        row, (start, end) = token.start[0] - 1, (token.start[1], token.end[1])
+        lines[row] = lines[row][:start] + called[token.string] + lines[row][end:]
+    return "".join(lines)

@@ -16,10 +16,11 @@ from c2s_engine.maps.expressions import MANOEUVRE_TYPE
 from c2s_engine.structure import names
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.quantity import ends
-from c2s_engine.structure.specs import SettingsSpec
+from c2s_engine.structure.specs import ObjectSpec, SettingsSpec
 from c2s_engine.write.by_hand import OWN
 from c2s_engine.write.literals import Site, blueprints, numbers, params, statements, words
 from c2s_engine.write.typed.settings import weather_value
+from c2s_engine.write.typed.tables import BLUEPRINTS
 from c2s_engine.write.typed.writer import MapChoice
 
 NEAR = 0.011  # m, m/s: what rounding to two decimals leaves
@@ -196,6 +197,14 @@ def sky(structure: Structure, spec: SettingsSpec) -> list[Swap] | None:
     named = list(params(code, "carla_map")) or list(params(code, "map"))
     after = code.find("\n", named[-1].end) if named else -1
     return [Swap("G", Site(after, after, ""), f"\nparam weather = {value}")] if after >= 0 else None
+
+
+def looks(structure: Structure, cid: ComponentId) -> list[Swap]:
+    """The blueprints of other types that a component's code names: the first of its type in their place."""
+    spec, code = structure[cid].spec, structure[cid].code
+    own = BLUEPRINTS.get(spec.type, ()) if isinstance(spec, ObjectSpec) else ()
+    named = [s for s in reversed(blueprints(code, whole=False)) if s.text[:1] in "'\"" and s.text[1:-1] not in own]
+    return [Swap(cid, s, f"'{own[0]}'") for s in named if own]
 
 
 def ground(structure: Structure, chosen: MapChoice) -> list[Swap] | None:

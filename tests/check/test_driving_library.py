@@ -1,5 +1,7 @@
 """Programs that import the driving library: the shipped one, or another version that lies beside them."""
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -111,3 +113,19 @@ def test_an_installed_one_that_does_not_compile_says_so(installed):
     row = text[: text.index("def need(car other):")].count("\n") + 1
     installed(text)
     assert f"{driving.FILE}, line {row}: this is not Scenic" in library.fault()
+
+
+def test_a_copy_in_the_folder_that_c2s_was_started_in_is_not_taken(tmp_path):
+    started, folder = tmp_path / "started", tmp_path / "program"
+    for made in (started, folder):
+        made.mkdir()
+    (started / driving.FILE).write_text("raise ValueError\n")
+    (folder / "town.xodr").symlink_to(paths.shipped("maps", "town.xodr"))
+    (folder / "one.scenic").write_text(
+        "param map = localPath('town.xodr')\nparam carla_map = None\nmodel scenic.simulators.carla.model\n"
+        f"from {driving.MODULE} import *\nlane = Uniform(*network.lanes)\n"
+        "ego = new Car on lane.centerline, with behavior Cruise(way(lane), 5)\n"
+    )
+    c2s = Path(sys.executable).with_name("c2s")
+    done = subprocess.run([c2s, "check", folder / "one.scenic"], cwd=started, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr

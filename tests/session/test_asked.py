@@ -75,6 +75,7 @@ SHOWN = Finished(
      ("is there a bus?", "No: O1 a bicycle."),
      ("is the cyclist a pedestrian?", "No: O1 (cyclist) is a bicycle."),
      ("is there a bicycle?", "Yes: O1 says type bicycle."),
+     ("is ego able to see the bicycle?", UNANSWERED),
      ("where is this?", "R: "),
      ("is ego's driver tired?", UNANSWERED),
      ("which song does the cyclist sing?", UNANSWERED)],

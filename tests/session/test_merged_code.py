@@ -150,3 +150,34 @@ async def test_a_number_is_read_into_s_after_an_edit_that_did_not_parse(session)
     ego = session.structure["E"]
     assert "E, read from the code: speed is 18 km/h." in told and ego.spec.speed == pytest.approx(5.0)
     assert mine in ego.code and "18 km/h" in ego.description
+
+
+async def test_another_name_in_s_is_the_name_in_code_by_hand(session):
+    await by_hand(session, "E", ("\nbehavior", "\n# the_car is Ida's\nbehavior"))
+    was = session.structure["E"].code
+    assert "the_car" in was.replace("# the_car is Ida's", "")
+    await done(session.apply(SetField(component="O1", path="name", value="lead"), run=False))
+    now = session.structure["E"].code
+    assert "# the_car is Ida's" in now and "the_car" not in now.replace("# the_car is Ida's", "")
+    assert session.structure["E"].origin == "by_hand" and session.structure["E"].conflict is None
+    await by_hand(session, "O1", REMARK)
+    await done(session.apply(SetField(component="O1", path="name", value="leader"), run=False))
+    assert "LEADER_SPEED" in session.structure["O1"].code and "# my own remark" in session.structure["O1"].code
+    assert "leader" in session.structure["E"].code and session.structure["O1"].conflict is None
+
+
+async def test_another_type_in_changed_code_has_a_blueprint_of_its_own(session):
+    await done(session.apply(SetField(component="O1", path="type", value="van"), run=False))
+    at = next(line for line in session.structure["O1"].code.splitlines() if "_AT = " in line)
+    await by_hand(session, "O1", (at, at.split("#")[0].rstrip() + " + 1  # mine"))
+    await done(session.apply(SetField(component="O1", path="type", value="bus"), run=False))
+    now = session.structure["O1"].code
+    assert "new Bus at" in now and "mercedes.sprinter" not in now and "# mine" in now
+
+
+async def test_a_comment_in_ego_leaves_the_others_as_they_are(session):
+    was = {c.id: c.code for c in session.structure.components}
+    await by_hand(session, "E", REMARK)
+    others = {c.id: c.code for c in session.structure.components if c.id != "E"}
+    assert others == {k: v for k, v in was.items() if k != "E"}
+    assert "place_of(" not in session.structure["O1"].code

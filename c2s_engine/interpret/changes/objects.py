@@ -120,7 +120,9 @@ def retype(clause: str, structure: Structure) -> Found | None:
         alike = who in ("", "it", "that", "this", "one", "just one", "only one", "a single one")
         rest = _behind(clause[named[0].end : match.end("what")], match.groupdict().get("rest"))
         component = _akin(kind, structure) if alike else refer(who.split(" and ")[0] if plural else who, structure)
-        if component is None:
+        definite = clause[: named[0].start].endswith("the ") and not alike
+        itself = definite and component is refer(f"the {clause[named[0].start : named[0].end]}", structure)
+        if component is None or itself and spec_of(component).type == kind:
             return None
         if component.id == "E":
             if kind not in VEHICLES:

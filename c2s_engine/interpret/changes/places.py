@@ -53,4 +53,7 @@ def added_as(component: Component, cid: ComponentId, ids: dict[str, str], struct
     untold = any(a.field == "speed" for a in component.assumed) and spec.speed
     if untold and of in structure and of != "ego" and place.position in ("ahead", "behind"):
         update["speed"] = spec_of(structure[of]).speed
-    return AddObject(spec=spec.model_copy(update=update), description=component.description, component=cid)
+    lost = tuple(u.model_copy(update={"span": None}) for u in component.unmet)
+    return AddObject(
+        spec=spec.model_copy(update=update), description=component.description, component=cid, unmet=lost
+    )

@@ -76,7 +76,7 @@ def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edi
             refused = refused or error
             continue
         if found[0] and _same(current, after):
-            found = [], f"{ALREADY} ({found[1]})"
+            found = [], f"{ALREADY} ({found[1]})" if _was_so(found, structure) else found[1]
         done += [(demand, current, after)] if found[0] else []
         current = after
         edits += found[0]
@@ -108,6 +108,14 @@ def _doer(text: str, structure: Structure) -> str | None:
     told = re.sub(language.table("refine")["told"]["meanwhile"], " ", said["told"]) if said else ""
     found = [c.id for c in structure.objects if said and doing(told, actions_of(c))]
     return found[0] if len(found) == 1 else None
+
+
+def _was_so(found: Found, structure: Structure) -> bool:
+    """Whether edits change nothing in S as it was before the turn."""
+    try:
+        return _same(structure, _applied(found, structure))
+    except EditError:  # about one whom the turn adds
+        return False
 
 
 def _same(before: Structure, after: Structure) -> bool:

@@ -3,6 +3,7 @@
 import re
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.changes.demands import apart
 from c2s_engine.interpret.changes.refer import doing, refer
 from c2s_engine.structure.components import Component, Structure
 
@@ -16,7 +17,7 @@ REACTIONS = {"brake": "brak|stop|react", "yield": "yield|giv", "evade": "swerv|e
 def still_done(text: str, structure: Structure) -> list[str]:
     """The demands for what a text denies of those who still do it."""
     found = []
-    for match in DENIED.finditer(text):
+    for match in DENIED.finditer(". ".join(part for sentence in text.split(". ") for part in apart(sentence))):
         who = refer(match["who"], structure, alone=False)
         if who is not None and _does(who, match["verb"]):
             found.append(f"{'ego' if who.id == 'E' else who.id.lower()} does not {match['verb']}")

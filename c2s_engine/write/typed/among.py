@@ -30,8 +30,10 @@ IN_DOMAIN = {"Car", "Pedestrian"}
 def among(structure: Structure, cid: str, body: str, plan: Plan) -> str:
     """An object's fragment, with the names that it needs of the library, of the place and of others before it."""
     own = _own(structure)
-    if structure.ego.origin not in layout.OWN or driving.used_by(own):
-        return body  # it stands in a program of ours
+    place = structure.place
+    ours_too = place.origin not in layout.OWN and "place" in names.defines(place.code)  # ego's code alone is by hand
+    if structure.ego.origin not in layout.OWN or ours_too or driving.used_by(own):
+        return body
     before = takewhile(lambda c: c.id != cid, structure.objects)
     earlier = "\n".join(c.code for c in before if c.origin not in layout.OWN)
     theirs, ours = names.defines(own), names.defines(earlier).keys() | set(driving.imported(earlier).values())

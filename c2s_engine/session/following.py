@@ -1,0 +1,44 @@
+"""What an edit of one field of S leaves another saying that cannot hold any more: it follows, and that is said."""
+
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.sentences import sentence
+from c2s_engine.structure.specs import AnySpec, ObjectSpec, PlaceSpec
+
+INTO_EGOS = {"left_lane": "right", "right_lane": "left"}
+"""From a lane beside ego's, the side of whoever cuts in."""
+WITH_A_MIDDLE = 3
+"""The fewest lanes of which one is the middle."""
+
+
+def following(before: Structure, after: Structure) -> tuple[Structure, list[str]]:
+    """S after edits, with what follows from them; what that is, in sentences."""
+    said: list[str] = []
+    for component in after.objects:
+        was, spec = before[component.id].spec if component.id in before else None, component.spec
+        if not isinstance(was, ObjectSpec) or not isinstance(spec, ObjectSpec) or was.phases != spec.phases:
+            continue
+        old, new = (INTO_EGOS.get(s.placement.position) for s in (was, spec))
+        if None in (old, new) or old == new or not any(p.action == "cut_in" and p.side == old for p in spec.phases):
+            continue
+        turned = {"side": new}
+        cuts_in = [p.action == "cut_in" and p.side == old for p in spec.phases]
+        phases = tuple(p.model_copy(update=turned) if c else p for p, c in zip(spec.phases, cuts_in, strict=True))
+        after = _with(after, component, spec.model_copy(update={"phases": phases}))
+        said.append(f"{component.id} ({spec.name}) cuts in to the {new} from there.")
+    was, place = before.place.spec, after.place.spec
+    assert isinstance(was, PlaceSpec) and isinstance(place, PlaceSpec)
+    too_few = place.lanes is not None and place.lanes < WITH_A_MIDDLE and place.lanes != was.lanes
+    if too_few and place.ego_lane == was.ego_lane == "middle":
+        after = _with(after, after.place, place.model_copy(update={"ego_lane": None}))
+        said.append(f"R: of {place.lanes} lanes none is the middle one: in which ego drives is left open now.")
+    return after, said
+
+
+def _with(structure: Structure, component: Component, spec: AnySpec) -> Structure:
+    """The structure with another spec of a component, and its sentence of that where it was the spec's."""
+    own = component.description == sentence(component, structure)
+    changed = component.model_copy(update={"spec": spec})
+    structure = structure.with_component(changed)
+    if not own:
+        return structure
+    return structure.with_component(changed.model_copy(update={"description": sentence(changed, structure)}))

@@ -4,7 +4,7 @@ The threat is judged on the same scene with ego's reaction switched off; the mom
 runs part.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from copy import copy
 from typing import Any
 
@@ -199,7 +199,11 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
             return []
         elsewhere = bool(doings) and all(p.target not in (None, EGO) for p in doings)  # what it does is about others
         return [named] if spec is not None and not followed and not elsewhere else []
-    return [a for a, spec in scene.objects.items() if _threatens(spec) and before_whom(scene.structure, a) == EGO]
+    before_ego = [a for a in scene.objects if before_whom(scene.structure, a) == EGO]
+    found = [a for a in before_ego if _threatens(scene.objects[a])]
+    turns = TURNS if scene.ego.hard else ()  # whoever gives way brakes gently
+    return found or [a for a in before_ego if scene.objects[a].placement.position in APPROACHES
+                     and any(p.action in turns for p in scene.objects[a].phases)]  # fmt: skip
 
 
 def _whom(phase: Phase) -> tuple[str | None, ...]:
@@ -337,6 +341,8 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
     if not causes:
         return scored(requirement, -1.0, said, f"ego reacts at {time:.1f} s to what it never could see", time)
     cause = min(causes)
+    if (far := _far_from(members, requirement, evidence)) is not None:
+        return scored(requirement, -1.0, said, f"ego reacts to another: it comes no nearer than {far:.0f} m", time)
     needed = _needed(requirement.other or "", evidence, bool(requirement.values["hard"]))
     late, early = time - max(cause, needed), round(time - cause, 3)
     # a threat from the start has no moment before which a reaction would be too early
@@ -344,6 +350,20 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
     words = f"at {time:.1f} s, {early:.2f} s after its cause"
     measured = (early, least, max(early, most)) if late < most else (late, 0.0, most)
     return scored(requirement, min(margins), said, words, time, why=f"cause at {cause:.1f} s", measured=measured)
+
+
+def _far_from(members: Sequence[Motion], requirement: Requirement, evidence: Evidence) -> float | None:
+    """m that ego keeps away from one of several threats, where that is more than a stop for it needs; else None."""
+    ego, before = evidence.motion(EGO), evidence.without.motion(EGO) if evidence.without else None
+    if ego is None or before is None or "others" not in requirement.values:
+        return None
+    limits = bounds()["reaction"]
+    rate = limits["emergency" if requirement.values["hard"] else "gentle"]["value"]
+    n = [min(len(m.x), len(ego.x)) for m in members]
+    apart = (box_distance(m.poses[:k], ego.poses[:k], m.size, ego.size) for m, k in zip(members, n, strict=True))
+    nearest = min(float(gaps.min()) for gaps in apart)
+    needs = float(before.speed[0]) ** 2 / (2 * rate) + limits["short"]["value"]
+    return nearest if nearest > needs else None
 
 
 def _next_reaction(requirement: Requirement, evidence: Evidence, first: float, cause: float) -> float:

@@ -11,7 +11,8 @@ from c2s_engine.structure.specs import ObjectSpec, Phase, PlaceSpec
 
 
 def scene(*phases, **place):
-    lorry = ObjectSpec(name="lorry", type="truck", placement={"position": "right_lane", "along": "ahead"}, phases=phases)
+    at = {"position": "right_lane", "along": "ahead"}
+    lorry = ObjectSpec(name="lorry", type="truck", placement=at, phases=phases)
     found = Structure(text="A lorry.", objects=(Component(id="O1", spec=lorry),))
     return found.with_component(found.place.model_copy(update={"spec": PlaceSpec(kind="motorway", **place)}))
 
@@ -44,7 +45,7 @@ def test_of_two_lanes_none_is_the_middle_one(lanes, open_now):
 async def test_in_a_session_it_is_said_and_written(engine, tmp_path):
     session = Sessions(tmp_path).open("one", engine)
     try:
-        text = "On a motorway with three lanes ego drives in the middle lane. A lorry in the right lane 30 m ahead cuts in."
+        text = "On a motorway with three lanes ego drives in the middle lane. A lorry in the right lane cuts in."
         [e async for e in session.say(text, run=False)]
         events = [e async for e in session.say("put a car with hazard lights on the shoulder 150 m ahead", run=False)]
         assert [u.text for u in session.structure["O2"].unmet] == ["hazard lights"]

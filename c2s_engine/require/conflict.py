@@ -355,8 +355,8 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
 def _far_from(members: Sequence[Motion], requirement: Requirement, evidence: Evidence) -> float | None:
     """m that ego keeps away from one of several threats, where that is more than a stop for it needs; else None."""
     ego, before = evidence.motion(EGO), evidence.without.motion(EGO) if evidence.without else None
-    if ego is None or before is None or "others" not in requirement.values:
-        return None
+    if ego is None or before is None or "others" not in requirement.values or before.speed[0] < 1.0:
+        return None  # who stands at first waits where it stands
     limits = bounds()["reaction"]
     rate = limits["emergency" if requirement.values["hard"] else "gentle"]["value"]
     n = [min(len(m.x), len(ego.x)) for m in members]

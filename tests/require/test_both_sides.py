@@ -662,6 +662,26 @@ def test_ego_reacts_after_its_cause_and_in_time(from_second, holds) -> None:
     assert verdict(STOPS, scene, "E.reaction.O1", blind=BLIND) is holds
 
 
+@pytest.mark.parametrize(("y", "holds"), [(30.0, True), (70.0, False)], ids=["for it", "for another"])
+def test_of_several_threats_ego_reacts_to_that_one(y, holds) -> None:
+    """It comes as near as a gentle stop from 10 m/s needs, and 3 m: 28 m; not so where it stops for another before."""
+    structure = s(STOPS["O1"].spec, ObjectSpec(placement=Placement(position="roadside")), ego=STOPS.ego.spec)
+    slows = ego(speed=ramp((0, 10), (4, 10), (6, 0), (12, 0)))
+    walker = Actor("walker", "O2", kind="pedestrian", x=6.0, y=20.0)
+    lead = other(speed=LEAD.speed, y=y)
+    blind = Scene([ego(), lead, walker], contacts=(HIT.model_copy(update={"time": 5.5}),)).run()
+    found = Scene([slows, lead, walker]).run()
+    results = {r.requirement: r for r in evaluate(require(structure), found.facts, found.trajectories, blind)}
+    assert ("reacts to another" not in results["E.reaction.O1"].seen) is holds
+
+
+def test_who_turns_across_egos_way_threatens_where_ego_brakes_hard() -> None:
+    turns = ObjectSpec(placement=Placement(position="opposite_approach"), phases=(Phase(action="turn_left"),))
+    for hard in (True, False):
+        found = {r.id for r in require(s(turns, ego=EgoSpec(reaction="brake", hard=hard)))}
+        assert ("O1.threat" in found) is hard
+
+
 def test_ego_must_not_react_to_what_it_cannot_see() -> None:
     unseen = Actor("other", "O1", speed=LEAD.speed, y=30.0, sight=((0.0, False), (4.8, True)))
     scene = Scene([ego(speed=ramp((0, 10), (4, 10), (6, 0), (12, 0))), unseen])

@@ -8,13 +8,18 @@ from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import VEHICLES, ZONES, Entity
 
-SCREENS = frozenset(language.table("actors")["fixed"]) | {"tree", "trees", "hedges", "bushes"}
+FIXED = frozenset(language.table("actors")["fixed"])
+HIDE = ("wall", "hedge", "billboard", "building")
+"""Of what stands beside the road, that whose side is told for what it hides."""
+TREES = frozenset(("tree", "trees"))
+SCREENS = FIXED | TREES | {"hedges", "bushes"}
 SAYS = language.words("says")
 
 
 def _stands_aside(scene: Scene, entity: Entity, blocker: Entity) -> None:
     """What grows or was built beside the road stands there, on the side from which comes whom it hides."""
-    blocker.type, blocker.typed = "obstacle", True
+    if blocker.type not in HIDE:
+        blocker.type, blocker.typed = "tree" if blocker.noun in TREES else "obstacle", True
     where = scene.where(blocker)
     if where.lane in (None, "same", "left", "right") and where.gap is None:
         where.lane, where.rel = "roadside", None
@@ -45,8 +50,12 @@ def actors(scene: Scene) -> list[Entity]:
             continue  # "Unit 3 was hit by debris"
         if entity.noun in ("somebody", "someone") and not own and not passive and where.rel is None:
             continue
-        if entity.noun in language.table("actors")["fixed"] and not any(e.act == "collide" for e in passive):
+        struck = any(e.act == "collide" for e in passive)
+        screens = entity.type in HIDE and where.side is not None and not struck
+        if entity.noun in FIXED and not screens and not struck:
             continue
+        if screens:
+            _stands_aside(scene, entity, entity)
         if (
             entity.label
             and len(scene.cast.entities) <= 6

@@ -1,7 +1,8 @@
-"""`python -m c2s_bench.reading read | run`: how well scenes are read; how many with S by hand run as required.
+"""`python -m c2s_bench.reading read | run | through`: how well scenes are read; how many run as S by hand requires.
 
 read: the embedded interpreter (or, with --reader, the learned reader) on wordings of scenes held out of
-training. run: S by hand to a run; the share in which all that S requires is seen, and what fails most.
+training. run: S by hand to a run; the share in which all that S requires is seen, and what fails most. through: the
+text to a run; the share in which all that S by hand requires is seen.
 """
 
 import argparse
@@ -13,6 +14,7 @@ from collections.abc import Callable
 
 from c2s_bench.reading.agreement import Agreement, agreement
 from c2s_bench.reading.scenes import Scene, scenes
+from c2s_bench.reading.through import seen
 from c2s_engine.api import Engine
 from c2s_engine.config import Settings
 from c2s_engine.interpret import EmbeddedInterpreter
@@ -66,19 +68,45 @@ async def run(chosen: list[Scene]) -> None:
         print(f"{times:4} {name}")
 
 
+async def through(chosen: list[Scene], by_model: bool) -> None:
+    """Print in how many scenes the run of what is read of the text shows all, or all but one, that S by hand requires,
+    and what fails most."""
+    embedded, failed, failing = EmbeddedInterpreter(), [], Counter[str]()
+    async with Engine(Settings()) as engine:
+        for number, scene in enumerate(chosen, 1):
+            text = scene.texts[0]
+            try:
+                found = learned(text, embedded)[1].structure if by_model else embedded.interpret(text).structure
+                results = await seen(engine, scene.id, found, scene.structure)
+            except ValueError:  # a text that the interpreter refuses
+                results = ()
+            names = {re.sub(r"^(O)\d+|\.\d+", r"\1", r.requirement) for r in results if not r.holds}
+            failed.append(sum(not r.holds for r in results) if results else None)
+            failing.update(names)
+            if number % 20 == 0:
+                print(f"{number}: {failed.count(0)} whole", flush=True)
+    whole, but_one = failed.count(0), failed.count(1)
+    print(f"{len(chosen)} texts: {whole} whole ({whole / len(chosen):.0%}), {but_one} but for one requirement, "
+          f"{failed.count(None)} do not run")  # fmt: skip
+    for name, times in failing.most_common(20):
+        print(f"{times:4} {name}")
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=("read", "run"))
+    parser.add_argument("what", choices=("read", "run", "through"))
     parser.add_argument("--n", type=int, default=100, help="how many scenes, drawn by --seed")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--trained", action="store_true", help="of those trained on, instead of those held out")
-    parser.add_argument("--reader", action="store_true", help="read: by the learned reader")
+    parser.add_argument("--reader", action="store_true", help="read, through: by the learned reader")
     given = parser.parse_args()
     chosen = [s for s in scenes() if s.held is not given.trained]
     random.Random(given.seed).shuffle(chosen)
     chosen = chosen[: given.n]
     if given.what == "read":
         read(chosen, given.reader)
+    elif given.what == "through":
+        asyncio.run(through(chosen, given.reader))
     else:
         asyncio.run(run(chosen))
 

@@ -30,12 +30,18 @@ class Agreement:
 
 def agreement(read: Structure, there: Structure) -> Agreement:
     """The best agreement over the ways to match the objects."""
+    found = _agreed(read, there, matching(read, there))
+    count = [sum(sum(_fields(s, c.id, {}).values()) for c in s.components) for s in (read, there)]
+    return Agreement(found, count[0], count[1], len(read.objects) == len(there.objects))
+
+
+def matching(read: Structure, there: Structure) -> dict[str, str | None]:
+    """By object that is there, the one that was read of it, as fits best; None where none was."""
     mine, theirs = [o.id for o in read.objects], [o.id for o in there.objects]
     slots: list[str | None] = [*mine, *[None] * max(0, len(theirs) - len(mine))]
     ways = permutations(slots, len(theirs)) if len(slots) <= MOST else islice(permutations(slots, len(theirs)), 1)
-    found = max((_agreed(read, there, dict(zip(theirs, way, strict=True))) for way in ways), default=0)
-    count = [sum(sum(_fields(s, c.id, {}).values()) for c in s.components) for s in (read, there)]
-    return Agreement(found, count[0], count[1], len(mine) == len(theirs))
+    matches = (dict(zip(theirs, way, strict=True)) for way in ways)
+    return max(matches, key=lambda match: _agreed(read, there, match), default={})
 
 
 def _agreed(read: Structure, there: Structure, match: dict[str, str | None]) -> int:

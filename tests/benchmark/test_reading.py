@@ -5,6 +5,7 @@ import random
 import pytest
 
 from c2s_bench.reading.agreement import agreement
+from c2s_bench.reading.through import in_the_terms_of, seen
 from c2s_bench.reading.pairs import judged, mirror, other_numbers, sloppy
 from c2s_bench.reading.scenes import scenes
 from c2s_bench.reading.units import with_units
@@ -73,3 +74,28 @@ def test_quantities_are_those_of_the_text():
     found = with_units(structure, "At 30 mph, a van 60 ft away.")
     assert found["E"]["speed"] == "30 mph" and found["O1"]["placement"]["gap"] == "20 m"
     assert parse(short(found))["E"]["speed"] == "30mph"
+
+
+def test_s_by_hand_is_told_in_the_terms_of_what_was_read():
+    """What was read in another order and by other names is who it is; one that was not read is nobody there."""
+    hand = structure_of({
+        "E": {"reaction": "brake", "react_to": "O2"},
+        "O1": {"name": "parked", "type": "van", "placement": {"position": "parked", "side": "right"}},
+        "O2": {"name": "child", "type": "child", "placement": {"position": "roadside", "hidden_by": "O1"}},
+        "O3": {"name": "bus", "type": "bus", "placement": {"position": "behind"}},
+    }, "told")  # fmt: skip
+    read = structure_of({
+        "O1": {"name": "boy", "type": "child", "placement": {"position": "roadside"}},
+        "O2": {"name": "transporter", "type": "van", "placement": {"position": "parked", "side": "right"}},
+    }, "told")  # fmt: skip
+    told = in_the_terms_of(hand, read)
+    assert {o.id: o.spec.name for o in told.objects} == {"O2": "transporter", "O1": "boy", "O6": "no_bus"}
+    assert told["O1"].spec.placement.hidden_by == "O2" and told.ego.spec.react_to == "O1"
+
+
+async def test_nobody_who_was_not_read_is_seen(engine):
+    hand = structure_of({"O1": {"name": "lead"}, "O2": {"name": "bus", "type": "bus", "placement": {"position": "behind"}}},
+                        "A car is ahead of ego, a bus behind.")  # fmt: skip
+    read = structure_of({"O1": {"name": "car"}}, hand.text)
+    found = {r.requirement: r.holds for r in await seen(engine, "one", read, hand)}
+    assert found["O1.there"] is True and found["O4.there"] is False

@@ -5,9 +5,9 @@ import random
 import pytest
 
 from c2s_bench.reading.agreement import agreement
-from c2s_bench.reading.through import in_the_terms_of, seen
 from c2s_bench.reading.pairs import judged, mirror, other_numbers, sloppy
 from c2s_bench.reading.scenes import scenes
+from c2s_bench.reading.through import in_the_terms_of, seen
 from c2s_bench.reading.units import with_units
 from c2s_engine.interpret.learned.notation import parse, short
 from c2s_engine.interpret.learned.reader import structure_of
@@ -94,8 +94,8 @@ def test_s_by_hand_is_told_in_the_terms_of_what_was_read():
 
 
 async def test_nobody_who_was_not_read_is_seen(engine):
-    hand = structure_of({"O1": {"name": "lead"}, "O2": {"name": "bus", "type": "bus", "placement": {"position": "behind"}}},
-                        "A car is ahead of ego, a bus behind.")  # fmt: skip
+    bus = {"name": "bus", "type": "bus", "placement": {"position": "behind"}}
+    hand = structure_of({"O1": {"name": "lead"}, "O2": bus}, "A car is ahead of ego, a bus behind.")
     read = structure_of({"O1": {"name": "car"}}, hand.text)
     found = {r.requirement: r.holds for r in await seen(engine, "one", read, hand)}
     assert found["O1.there"] is True and found["O4.there"] is False

@@ -40,12 +40,17 @@ class Patients(Rendering):
             return []
         found = list(self.cast.both.get(at, []))  # "both", "the two"
         for child in self.words[at].children:
-            if self.words[child].dep == "conj" and not at < verb < child:
-                other = self.cast.referent(child)
-                if other is not None:
-                    found.append(other)
-                    found += self._also(child, verb)
+            listed = self.words[child].dep == "conj" or self._listed(at, child)
+            other = self.cast.referent(child) if listed and not at < verb < child else None
+            if other is not None:
+                found.append(other)
+                found += self._also(child, verb)
         return found
+
+    def _listed(self, at: int, child: int) -> bool:
+        """Whether an apposition is another of a list: "a motorbike, a van and a lorry"."""
+        goes_on = any(self.words[c].dep == "conj" for c in self.words[child].children)
+        return self.words[child].dep == "appos" and goes_on and self.cast.referent(child) is not self.cast.referent(at)
 
     def _of_both(self, own: list[int]) -> bool:
         """Whether one of those words means ego and another ("both")."""

@@ -11,7 +11,7 @@ from c2s_engine.interpret.reading.proxies import FOLLOWS
 from c2s_engine.interpret.spans import Span, names_one
 
 DIRECTED = re.compile(
-    r"\s+(?:(?:right|straight|just|directly|suddenly|back|clean) )?(?:in|into|onto|out|off|past|across|over"
+    r"\s+(?:(?:right|straight|just|directly|suddenly|back|clean) )?(?:in|from|into|onto|out|off|past|across|over"
     r"|through|towards?|away|around|down|up|along|back|in front|left|right|straight)\b"
 )
 """What tells where one goes, behind the past tense of a verb of motion."""
@@ -107,6 +107,7 @@ def _placed(doc: Any, piece: list[Piece], plain: str, at: int) -> Any | None:
 def _nouns(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
     """Words taken for nouns that can only be the verb of the road user before: "the car ahead decelerates"."""
     found: dict[int, str] = {}
+    verbless = not any(t.tag_ in ("VBZ", "VBD", "VBP", "MD", "VB") for t in doc)
     for token in doc:
         _, start, end, span = piece[token.i]
         misplaced = token.tag_ == "VBZ" and token.dep_ in ("pobj", "dobj")  # "hidden by a bus crosses the road"
@@ -125,6 +126,8 @@ def _nouns(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
             or not spoken
             or not (
                 before[3] is not None
+                or verbless
+                and DIRECTED.match(plain[end : end + 24])
                 or before[0].endswith("ly")
                 or not language.word_list("subject_ends").isdisjoint(_ends(plain[before[1] : before[2]]))
             )

@@ -42,7 +42,8 @@ def actors(scene: Scene) -> list[Entity]:
     for entity in scene.cast.entities:
         own = scene.events(entity)
         where = scene.where(entity)
-        passive = [e for e in scene.clauses.events if e.patient is entity and (e.done or _tried(e))]
+        passive = [e for e in scene.clauses.events if e.patient is entity and (e.done or _tried(e))
+                   and (entity.mover or entity.type == "slippery_patch" or e.act != "travel")]  # not what is carried
         if "group" in entity.roles or _title_only(scene, entity):
             continue
         flew = all(e.act == "collide" and e.patient is not scene.cast.ego for e in own)

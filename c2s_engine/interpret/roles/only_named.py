@@ -32,10 +32,11 @@ def seen(scene: Scene, entity: Entity) -> bool:
 
 
 def mentioned_alone(scene: Scene, entity: Entity) -> bool:
-    """A thing that is only named ("debris on the road") is there all the same; a vehicle in passing is not."""
+    """A thing that is only named ("debris on the road") is there all the same, but for what somebody has with him; a
+    vehicle in passing is not."""
     return (
         entity.type in ZONES
-        or (not entity.mover and entity.type not in ("obstacle",))
+        or (not entity.mover and entity.type not in ("obstacle",) and not _had(scene, entity))
         or any(
             scene.words[m.word].dep in ("ROOT", "attr", "conj", "nsubj", "dep") and scene.words[m.word].span is not None
             for m in entity.mentions
@@ -44,3 +45,11 @@ def mentioned_alone(scene: Scene, entity: Entity) -> bool:
         or any(scene.words[m.word].dep == "attr" and scene.words[m.word].span is not None for m in entity.mentions)
         and entity.type in VEHICLES
     )
+
+
+def _had(scene: Scene, entity: Entity) -> bool:
+    """Whether a thing is only told of as what somebody has with him ("a man with a suitcase")."""
+    words = scene.words
+    heads = [words[m.word].head for m in entity.mentions if words[m.word].dep == "pobj"]
+    owners = [scene.cast.of.get(words[h].head) for h in heads if words[h].norm == "with"]
+    return len(owners) == len(entity.mentions) and all(o is not None and o.mover for o in owners)

@@ -88,7 +88,16 @@ def unknowns(structure: Structure, usual: Usual, freed: Container[Field] = ()) -
     for component in structure.components:
         if component.origin == "rendered":
             found += _of(component, usual, freed)
-    return tuple(found)
+    steady = {(cid, "speed") for cid in _followed(structure)}
+    return tuple(u for u in found if (u.component, u.path) not in steady or (u.component, u.path) in freed)
+
+
+def _followed(structure: Structure) -> set[str]:
+    """Those who are followed from the start by one whose speed is said: theirs is no other."""
+    first = ((c.spec.speed, c.spec.phases[:1], c.assumed) for c in structure.components
+             if isinstance(c.spec, EgoSpec | ObjectSpec))  # fmt: skip
+    return {str(p.target) for speed, phases, assumed in first for p in phases if p.action == "follow"
+            and p.trigger is None and speed is not None and all(a.field != "speed" for a in assumed)}  # fmt: skip
 
 
 class Everything(Container[Field]):

@@ -27,10 +27,12 @@ def test_what_is_no_structure_is_named(case):
 
 @pytest.mark.parametrize("file", BATCHES, ids=lambda f: f.stem)
 def test_judged_batches_hold_structures(file):
+    """All of a batch, or, where only readings were judged, none."""
     records = read_records(file)
-    assert len(records) >= 14 and all(r.structure is not None for r in records)
-    assert not [r.id for r in records if contradiction(r.structure)]
-    assert all(require(r.structure) for r in records)
+    given = [r for r in records if r.structure is not None]
+    assert len(records) >= 14 and len(given) in (0, len(records))
+    assert not [r.id for r in given if contradiction(r.structure)]
+    assert all(require(r.structure) for r in given)
 
 
 @pytest.mark.full

@@ -12,7 +12,7 @@ from c2s_engine.write.typed.overtakings import pulls_out
 from c2s_engine.write.typed.passing import FOLLOWS
 from c2s_engine.write.typed.people import REACTS, comes_out
 from c2s_engine.write.typed.reach import EVADED_AT
-from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, WORKS, is_static
+from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, WORKS, is_static, is_vehicle
 from c2s_engine.write.typed.threats import (
     ASIDE,
     IN_WAY,
@@ -66,10 +66,23 @@ def stated(course: Course, phase: Phase) -> str:
         t = t.model_copy(update={"value": round(middle(metres or 0.0) + BEFORE_IT, 1)})
     if t.kind == "time" and t.delay is not None:
         t = t.model_copy(update={"value": (value or 0) + middle(t.delay)})
+    if course.actor.is_ego and phase.action in SLOWS and t.action == "stop" and t.of and _drives_ahead(course, t.of):
+        t = t.model_copy(update={"action": "brake"})  # who drives behind slows as it does, not once it stands
     condition = watched(course.actor.structure, course.actor.plan, t, course.actor.cid)
     if t.kind == "light" and phase.action == "stop" and (lane := course.actor.to_junction):  # if it still can
         condition += f" and to_line(self, {lane}) > self.speed ** 2 / {CAN_STOP}"
     return f"until {condition}"
+
+
+SLOWS = ("brake", "stop")
+
+
+def _drives_ahead(course: Course, cid: str) -> bool:
+    """Whether another vehicle drives ahead in ego's lane, on its own or once it has come into it."""
+    spec = course.other(cid)
+    if spec is None or is_static(spec) or not is_vehicle(spec.type) or spec.placement.of != "ego":
+        return False
+    return spec.placement.position == "ahead" or any(p.action == "cut_in" for p in spec.phases)
 
 
 COMES_OVER = {

@@ -4,7 +4,7 @@ import numpy as np
 import shapely
 
 from c2s_engine.dryrun.contacts import corners
-from c2s_engine.dryrun.events.junctions import is_intersection
+from c2s_engine.dryrun.events.junctions import in_ring, is_intersection
 from c2s_engine.dryrun.events.pairs import box_gap
 from c2s_engine.dryrun.events.situation import NOWHERE, Seen, Situation, wrap
 from c2s_engine.structure.facts import StartFact
@@ -14,6 +14,8 @@ AXIS = 0.3
 SIGHT_HEIGHT = 0.8
 """m: what is lower hides nobody."""
 ROADSIDE = 15.0
+FAR = 25.0
+"""m beside a way beyond which somebody is not on that road: how it lies to that way says nothing."""
 
 
 def starts(seen: Seen, other: Seen, situation: Situation) -> StartFact:
@@ -31,7 +33,7 @@ def relations(seen: Seen, other: Seen) -> tuple[str, ...]:
     if other.drives and other.way is not None:
         place, d = other.way.place(np.array([[seen.x[0], seen.y[0]], [other.x[0], other.y[0]]]))
         along = abs(wrap(other.heading[0] - other.way.heading_at(float(place[1])))) < np.pi / 2
-        side = float(d[0]) if along else -float(d[0])
+        side = (float(d[0]) if along else -float(d[0])) if abs(float(d[0])) <= FAR else float(aside)
     else:
         side = float(aside)
     if abs(side) > AXIS:
@@ -95,9 +97,12 @@ def _oncoming(situation: Situation, lane: int, way: set[int]) -> bool:
 
 
 def _approach(seen: Seen, other: Seen, situation: Situation) -> str | None:
-    """oncoming or crossing: by the directions in which the two come to the same intersection."""
+    """oncoming or crossing: by the directions in which the two come to the same intersection or roundabout, which has
+    a junction for each of its arms."""
     ahead, theirs = _next_junction(int(seen.lanes[0]), situation), _next_junction_of(other, situation)
-    if ahead is None or theirs is None or ahead[0] != theirs[0]:
+    if ahead is None or theirs is None:
+        return None
+    if ahead[0] != theirs[0] and not all(in_ring(situation, junction) for junction, _ in (ahead, theirs)):
         return None
     turn = abs(float(wrap(ahead[1] - theirs[1])))
     if turn > np.radians(135):
@@ -128,7 +133,7 @@ def gap(seen: Seen, other: Seen, lanes: tuple[str, ...]) -> float:
     if "crossing" in lanes or other.way is None or not other.drives:
         return box_gap(seen, other)
     s, d = other.way.place(np.array([[seen.x[0], seen.y[0]], [other.x[0], other.y[0]]]))
-    if abs(float(d[0])) > 25.0:
+    if abs(float(d[0])) > FAR:
         return box_gap(seen, other)
 
     def half(o: Seen, at: float) -> float:

@@ -25,17 +25,14 @@ from c2s_engine.structure.components import Structure
 Read = Callable[[str], Structure]
 
 
-def read(chosen: list[Scene], by_model: bool) -> None:
-    """Print how the scenes' first wordings are read."""
+def reading(by_model: bool) -> Read:
+    """How a text is read: by the learned reader, or by the embedded interpreter."""
     embedded = EmbeddedInterpreter()
-
-    def one(text: str) -> Structure:
-        return learned(text, embedded)[1].structure if by_model else embedded.interpret(text).structure
-
-    _compared(chosen, one)
+    return lambda text: learned(text, embedded)[1].structure if by_model else embedded.interpret(text).structure
 
 
-def _compared(chosen: list[Scene], one: Read) -> None:
+def read(chosen: list[Scene], one: Read) -> None:
+    """Print how the scenes' first wordings are read."""
     found: list[Agreement] = []
     for scene in chosen:
         try:
@@ -68,16 +65,14 @@ async def run(chosen: list[Scene]) -> None:
         print(f"{times:4} {name}")
 
 
-async def through(chosen: list[Scene], by_model: bool) -> None:
+async def through(chosen: list[Scene], one: Read) -> None:
     """Print in how many scenes the run of what is read of the text shows all, or all but one, that S by hand requires,
     and what fails most."""
-    embedded, failed, failing = EmbeddedInterpreter(), [], Counter[str]()
+    failed, failing = list[int | None](), Counter[str]()
     async with Engine(Settings()) as engine:
         for number, scene in enumerate(chosen, 1):
-            text = scene.texts[0]
             try:
-                found = learned(text, embedded)[1].structure if by_model else embedded.interpret(text).structure
-                results = await seen(engine, scene.id, found, scene.structure)
+                results = await seen(engine, scene.id, one(scene.texts[0]), scene.structure)
             except ValueError:  # a text that the interpreter refuses
                 results = ()
             names = {re.sub(r"^(O)\d+|\.\d+", r"\1", r.requirement) for r in results if not r.holds}
@@ -104,9 +99,9 @@ def main() -> None:
     random.Random(given.seed).shuffle(chosen)
     chosen = chosen[: given.n]
     if given.what == "read":
-        read(chosen, given.reader)
+        read(chosen, reading(given.reader))
     elif given.what == "through":
-        asyncio.run(through(chosen, given.reader))
+        asyncio.run(through(chosen, reading(given.reader)))
     else:
         asyncio.run(run(chosen))
 

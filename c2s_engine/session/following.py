@@ -3,9 +3,8 @@
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.sentences import sentence
 from c2s_engine.structure.specs import AnySpec, ObjectSpec, PlaceSpec
+from c2s_engine.structure.vocabulary import TOWARDS_EGO
 
-INTO_EGOS = {"left_lane": "right", "right_lane": "left"}
-"""From a lane beside ego's, the side of whoever cuts in."""
 WITH_A_MIDDLE = 3
 """The fewest lanes of which one is the middle."""
 
@@ -17,14 +16,12 @@ def following(before: Structure, after: Structure) -> tuple[Structure, list[str]
         was, spec = before[component.id].spec if component.id in before else None, component.spec
         if not isinstance(was, ObjectSpec) or not isinstance(spec, ObjectSpec) or was.phases != spec.phases:
             continue
-        old, new = (INTO_EGOS.get(s.placement.position) for s in (was, spec))
-        if None in (old, new) or old == new or not any(p.action == "cut_in" and p.side == old for p in spec.phases):
-            continue
-        turned = {"side": new}
-        cuts_in = [p.action == "cut_in" and p.side == old for p in spec.phases]
-        phases = tuple(p.model_copy(update=turned) if c else p for p, c in zip(spec.phases, cuts_in, strict=True))
-        after = _with(after, component, spec.model_copy(update={"phases": phases}))
-        said.append(f"{component.id} ({spec.name}) cuts in to the {new} from there.")
+        old, new = (TOWARDS_EGO.get(s.placement.position) for s in (was, spec))
+        phases = tuple(p.model_copy(update={"side": new}) if p.action == "cut_in" and p.side == old else p
+                       for p in spec.phases)  # fmt: skip
+        if old and new and phases != spec.phases:
+            after = _with(after, component, spec.model_copy(update={"phases": phases}))
+            said.append(f"{component.id} ({spec.name}) cuts in to the {new} from there.")
     was, place = before.place.spec, after.place.spec
     assert isinstance(was, PlaceSpec) and isinstance(place, PlaceSpec)
     too_few = place.lanes is not None and place.lanes < WITH_A_MIDDLE and place.lanes != was.lanes

@@ -57,22 +57,22 @@ async def followed(
         emit(ComponentState(component=after[cid], state="by_hand"))
     own = [c for c in after.components if c.origin in by_hand.OWN and c.id in before]
     asked = [c.id for c in own if _edited(before[c.id], c) and before[c.id].conflict is None]
-    merging = list(called)
+    merged_into = dict.fromkeys(called)
     for cid in [cid for cid in asked if before[cid].origin == "by_hand"]:
         if (ours := _merged(before, after, cid, writer)) is not None:
             emit(Say(text=f"{cid}: the change was merged into your code."))
             emit(ComponentState(component=ours, state="by_hand"))
             after = by_hand.followed(after.with_component(ours), before, cid, by_hand.in_step(before, cid))
             before = before.with_component(after[cid])
-            merging = list(dict.fromkeys([*merging, cid]))
+            merged_into[cid] = None
     asked = [cid for cid in asked if _edited(before[cid], after[cid])]
     if not asked:
-        return after, merging
+        return after, list(merged_into)
     reader = _Reader(check)
     try:
         read = await reader.read(after)
     except CheckError:
-        return after, merging  # what cannot be read at all is not changed
+        return after, list(merged_into)  # what cannot be read at all is not changed
     work = _Work(before, after, read, reader)
     for cid in asked:
         if cid == "G":
@@ -80,7 +80,7 @@ async def followed(
         else:
             await work.component(cid)
     after, changed = work.marked(emit)
-    return after, list(dict.fromkeys([*merging, *changed]))
+    return after, list(merged_into | dict.fromkeys(changed))
 
 
 def _merged(before: Structure, after: Structure, cid: ComponentId, writer: TypedWriter) -> Component | None:

@@ -94,10 +94,12 @@ def unknowns(structure: Structure, usual: Usual, freed: Container[Field] = ()) -
 
 def _followed(structure: Structure) -> set[str]:
     """Those who are followed from the start by one whose speed is said: theirs is no other."""
-    first = ((c.spec.speed, c.spec.phases[:1], c.assumed) for c in structure.components
-             if isinstance(c.spec, EgoSpec | ObjectSpec))  # fmt: skip
-    return {str(p.target) for speed, phases, assumed in first for p in phases if p.action == "follow"
-            and p.trigger is None and speed is not None and all(a.field != "speed" for a in assumed)}  # fmt: skip
+    found = set()
+    for component in structure.components:
+        spec, open_ = component.spec, any(a.field == "speed" for a in component.assumed)
+        if isinstance(spec, EgoSpec | ObjectSpec) and spec.speed is not None and not open_:
+            found |= {str(p.target) for p in spec.phases[:1] if p.action == "follow" and p.trigger is None}
+    return found
 
 
 class Everything(Container[Field]):

@@ -10,6 +10,9 @@ import tokenize
 
 _DEFINITION = re.compile(r"^(?P<kind>behavior|monitor|scenario|class|def)\s+(?P<name>\w+)")
 _ASSIGNMENT = re.compile(r"^(?P<name>[A-Za-z_]\w*)\s*(?::[^=]+)?=(?!=)")
+_HEAD = re.compile(
+    r"^[ \t]*(?P<kind>behavior|monitor|scenario|def)\s+\w+\s*\((?P<listed>[^()]*(?:\([^()]*\)[^()]*)*)\)", re.M
+)
 _PARAM = re.compile(r"^param\s+(?P<names>.+)")
 
 
@@ -42,20 +45,35 @@ def uses(code: str) -> frozenset[str]:
 
 
 def renamed(code: str, called: dict[str, str]) -> str:
-    """The code in which names are others: not attributes, names of arguments, comments or strings."""
+    """The code in which names are others: not attributes, names of arguments, comments or strings, nor what a
+    definition has a parameter of that name for."""
     if not called:
         return code
-    lines, found, depth = code.splitlines(keepends=True), [], 0
     try:
         tokens = list(tokenize.generate_tokens(io.StringIO(code).readline))
     except (tokenize.TokenError, SyntaxError, IndentationError):
         return code
+    lines, own, found, depth = code.splitlines(keepends=True), _parameters(code), [], 0
     for before, token, after in zip([tokens[0], *tokens], tokens, [*tokens[1:], tokens[-1]], strict=False):
         depth += (token.string in "([{") - (token.string in ")]}") if token.type == tokenize.OP else 0
-        argument = depth > 0 and after.string == "="
-        if token.type == tokenize.NAME and token.string in called and before.string != "." and not argument:
+        argument = before.string == "." or depth > 0 and after.string == "="
+        if token.type == tokenize.NAME and token.string in called and not argument:
             found.append(token)
     for token in reversed(found):
         row, (start, end) = token.start[0] - 1, (token.start[1], token.end[1])
-        lines[row] = lines[row][:start] + called[token.string] + lines[row][end:]
+        if token.string not in own[row]:
+            lines[row] = lines[row][:start] + called[token.string] + lines[row][end:]
     return "".join(lines)
+
+
+def _parameters(code: str) -> list[frozenset[str]]:
+    """By line, the parameters of the definition that it is in."""
+    found, own = [], frozenset[str]()
+    heads = {code.count("\n", 0, m.start("kind")): m["listed"] for m in _HEAD.finditer(code)}
+    for row, line in enumerate(code.splitlines()):
+        if row in heads:
+            own = frozenset(re.findall(r"(?:^|,)[\s*]*(\w+)", heads[row]))
+        elif line[:1] not in (*" \t#)]}", ""):
+            own = frozenset()
+        found.append(own)
+    return found

@@ -35,6 +35,8 @@ Position = Literal[
     "roadside", "sidewalk", "parked", "partly_in_lane", "on_ramp", "intersection_exit",
 ]  # fmt: skip
 Side = Literal["left", "right"]
+TOWARDS_EGO: dict[str, Side] = {"left_lane": "right", "right_lane": "left"}
+"""From a lane beside ego's, the side on which ego's is."""
 Part = Literal["front", "rear", "left", "right", "front_left", "front_right", "rear_left", "rear_right"]
 Along = Literal["ahead", "abreast", "behind"]
 

@@ -8,6 +8,7 @@ from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.interpret.who.mentions import Entity
 from c2s_engine.structure.specs import Phase, Placement, PlaceSpec, Trigger
+from c2s_engine.structure.vocabulary import TOWARDS_EGO
 
 ONWARDS = r"^(?:continue|resume|proceed|(?:go|goes|drive|carry|move|ride|travel) on)|^\w+ (?:on|again|further|off)\b"
 SOFT = (
@@ -127,7 +128,7 @@ def steps_of(
         if placement.position == "partly_in_lane" and entity.type == "bicycle":
             return [Phase(action="swerve", side=OPPOSITE[placement.side or "right"], trigger=trigger)]
         flank = OPPOSITE.get(placement.side or "") if placement.position == "beside" else None
-        goal = {"left_lane": "right", "right_lane": "left"}.get(placement.position, flank)
+        goal = TOWARDS_EGO.get(placement.position, flank)
         if crossing:
             return []
         back = towards if placement.position == "behind" else None  # it has come past first
@@ -157,7 +158,7 @@ def steps_of(
         if placement.position == "oncoming_lane" and event.patient is not None and event.patient.ego:
             return [Phase(action="oncoming", side="left", trigger=trigger)]
         if act == "lane_change" and placement.position in ("left_lane", "right_lane"):
-            toward_ego = {"left_lane": "right", "right_lane": "left"}[placement.position]
+            toward_ego = TOWARDS_EGO[placement.position]
             if towards in (None, toward_ego) and not any(p.action == "cut_in" for p in before):
                 return [
                     Phase(
@@ -192,7 +193,7 @@ def steps_of(
     if act == "drift":
         if placement.position == "oncoming_lane":
             return [Phase(action="drift", side="left", trigger=trigger)]
-        goal = {"left_lane": "right", "right_lane": "left"}.get(placement.position)
+        goal = TOWARDS_EGO.get(placement.position)
         return [Phase(action="drift", side=goal or towards, trigger=trigger)]
     if act == "oncoming":
         if placement.facing == "against":

@@ -6,9 +6,9 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.roles.only_named import mentioned_alone, seen
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
+from c2s_engine.interpret.where.concealed import FIXED
 from c2s_engine.interpret.who.mentions import VEHICLES, ZONES, Entity
 
-FIXED = frozenset(language.table("actors")["fixed"])
 HIDE = ("wall", "hedge", "billboard", "building")
 """Of what stands beside the road, that whose side is told for what it hides."""
 TREES = frozenset(("tree", "trees"))
@@ -43,7 +43,7 @@ def actors(scene: Scene) -> list[Entity]:
         own = scene.events(entity)
         where = scene.where(entity)
         passive = [e for e in scene.clauses.events if e.patient is entity and (e.done or _tried(e))
-                   and (entity.mover or entity.type == "slippery_patch" or e.act != "travel")]  # not what is carried
+                   and (entity.mover or e.act != "travel")]  # what is carried is not on the road  # fmt: skip
         if "group" in entity.roles or _title_only(scene, entity):
             continue
         flew = all(e.act == "collide" and e.patient is not scene.cast.ego for e in own)

@@ -44,7 +44,7 @@ def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
     makes_room(cast, clauses, road)
     for event in list(clauses.events):
         if event.act == "collide" and event.patient is not None and event.patient.type == "slippery_patch":
-            event.act = "travel"  # over it
+            event.act, event.patient = "travel", None  # over it
         if event.act in ("stop", "brake_stop") and event.mode == "fact" and was_over(cast, event, clauses):
             event.act = "stationary"
         apart = event.patient is None or AHEAD_OF_EGO.search(event.text) is not None and event.patient.ego

@@ -15,6 +15,7 @@ HIDES = re.compile(
     r"|sight|visible|shadow|blind|in cover|the lee"
 )
 FIXED = frozenset(language.table("actors")["fixed"])
+"""Nouns of what stands beside the road for good."""
 LONG = 2_000
 """Characters of a sentence beyond which nobody tells what hides whom."""
 

@@ -17,7 +17,6 @@ _LANE = (
     r"(?:(?:left|right|adjacent|neighbou?ring|next|other|second|middle|cent(?:er|re)|fast|slow|passing|overtaking|through)"
     r"(?: ?- ?hand)?(?: hand)? )?lanes?(?: (?:to|on) (?:its|the|our|my) (?:left|right))?"
 )
-FIXED = frozenset(language.table("actors")["fixed"])
 PLACED_BY = frozenset(("between", "at", "by", "near", "beside", "past", "outside", "opposite"))
 HEADS = frozenset(("actors", "objects", "vehicles", "participants", "users", "agents", "npcs", "obstacles", "others"))
 

@@ -299,13 +299,16 @@ class Engine:
             async for offer in found:
                 yield offer
 
-    async def without_effect(self, text: str, upon: Structure | None = None) -> tuple[Unmet, ...]:
+    async def without_effect(
+        self, text: str, upon: Structure | None = None, read_so: Structure | None = None
+    ) -> tuple[Unmet, ...]:
         """The phrases of a text that make no difference to the S which the embedded interpreter reads (a second or
-        more), or to what the text changes in the S upon which it is said. Raises Unreadable."""
+        more) and are not in `read_so` either, if that was read by a model; or to what the text changes in the S upon
+        which it is said. Raises Unreadable."""
         from c2s_engine.session.no_effect import changes_nothing, without_effect
 
         if upon is None or upon.blank:
-            return await without_effect(text, self.tools)
+            return await without_effect(text, self.tools, read_so)
         return await changes_nothing(text, upon, self.tools)
 
     def gaps(self, ways: Trajectories) -> dict[str, list[float]]:

@@ -9,6 +9,11 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 
 from c2s_engine import paths
 
+METHOD = "reader"
+"""The method where none is asked for."""
+WITHOUT_MODEL = frozenset(("reader", "embedded", "chatscene"))
+"""The methods that need no model to be served."""
+
 
 class ConfigError(ValueError):
     """The settings file cannot be used; the message says why."""
@@ -19,8 +24,8 @@ class Settings(BaseModel):
 
     model_config = ConfigDict(extra="ignore")
 
-    method: str = "embedded"
-    """How programs are written: embedded, typed, mixed, chat2scenic:C1 ... chat2scenic:C12, chatscene, nl2scenic."""
+    method: str = METHOD
+    """How texts are read and programs written: reader, embedded, typed, mixed, chat2scenic:C1 ... C12, chatscene ..."""
     map: str | None = None
     """The map where the text names none; none: the paper's default Town05 where it is installed, else `town`."""
     map_folders: tuple[str, ...] = ()

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from c2s_engine.config import WITHOUT_MODEL
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import SetField
 from c2s_engine.structure.specs import SettingsSpec
@@ -14,8 +15,8 @@ if TYPE_CHECKING:
     from c2s_tui.workbench import Workbench
 
 METHODS = [
-    Choosable("embedded", "embedded", "no language model: nothing to install, fastest"),
-    Choosable("reader", "reader", "a small model trained to read scenarios, on this machine: slower, needs no server"),
+    Choosable("reader", "reader", "a small model that was trained to read scenarios, in this process"),
+    Choosable("embedded", "embedded", "no model: grammar and tables, at once; reads what is too long for the reader"),
     Choosable("typed", "typed", "a language model fills in S; the code is written from its fields"),
     Choosable("mixed", "mixed", "like typed; what no field can express, the model writes as code"),
     *(Choosable(f"chat2scenic:C{i}", f"C{i}", f"configuration {i} of Chat2Scenic: a language model writes the code")
@@ -29,6 +30,11 @@ class Choices(Part):
     def __init__(self, bench: "Workbench"):
         super().__init__(bench)
         self.choice = Choice()
+
+    @property
+    def served(self) -> bool:
+        """Whether the next turn asks a model that is served."""
+        return self.choice.method not in WITHOUT_MODEL
 
     async def do_method(self, argument: str) -> None:
         names = {m.value: m.value for m in METHODS} | {m.label: m.value for m in METHODS}
@@ -99,7 +105,7 @@ class Choices(Part):
             models = await self.backend.models()
         except Exception as error:
             self.app.push_screen(
-                Reading("No models", f"{sentence(error)}\n\nThe method `embedded` needs none: /method embedded")
+                Reading("No models", f"{sentence(error)}\n\nThe method `reader` needs none: /method reader")
             )
             return
         entries = [Choosable(m["name"], m["name"], m.get("note", "")) for m in models]

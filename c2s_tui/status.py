@@ -6,6 +6,7 @@ from typing import Any
 from textual.content import Content
 from textual.widgets import Static
 
+from c2s_engine.config import METHOD
 from c2s_engine.structure.account import not_wholly
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.requirements import tally
@@ -21,7 +22,7 @@ CLOSING = "closing"
 class Choice:
     """What the next turn will use."""
 
-    method: str = "embedded"
+    method: str = METHOD
     model: str = ""
     map: str = ""
 

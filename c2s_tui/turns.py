@@ -99,11 +99,10 @@ class Turns(Part):
                 self.bench.running.find_gaps()
                 self.bench.search.offer_snippets(self.desk.structure)
                 now = self.desk.structure
-                if now != before and self.bench.choices.choice.method == "embedded":
-                    if now.text not in ("", before.text):
-                        self.name_what_has_no_effect(now.text, closing=closing)
-                    elif said:
-                        self.name_what_has_no_effect(said, before)
+                if now != before and now.text not in ("", before.text):
+                    self.name_what_has_no_effect(now.text, closing=closing)
+                elif now != before and said and not self.bench.choices.served:
+                    self.name_what_has_no_effect(said, before)
         then, self.then = self.then, ""
         if finished and then and self.bench.picture.available and not self.bench.picture.has_class("-on"):
             await self.bench.run_command(then)

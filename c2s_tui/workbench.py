@@ -16,6 +16,7 @@ from textual.screen import Screen
 from textual.widgets import Tab, Tabs
 from textual.worker import Worker, WorkerState
 
+from c2s_engine.config import METHOD
 from c2s_tui import desk as desks
 from c2s_tui.chat.pane import ChatPane
 from c2s_tui.choices import Choices
@@ -128,7 +129,7 @@ class Workbench(Screen):
     def on_mount(self) -> None:
         app = cast("C2SApp", self.app)
         prefs = app.prefs
-        self.choices.choice = Choice(method=prefs.method or "embedded", model=prefs.model, map=prefs.map)
+        self.choices.choice = Choice(method=prefs.method or METHOD, model=prefs.model, map=prefs.map)
         self.chat.entry.put("".join(app.typed_early))
         self.chat.entry.focus()
         if prefs.widths:

@@ -11,6 +11,7 @@ import yaml
 from hypothesis import settings
 
 from c2s_engine.api import Engine
+from c2s_engine.config import Settings
 
 settings.register_profile("c2s", deadline=None)  # speed is measured by benchmarks
 settings.load_profile("c2s")
@@ -19,8 +20,9 @@ KNOWN = yaml.safe_load((Path(__file__).parent / "known_failures.yaml").read_text
 
 @pytest_asyncio.fixture(scope="session")
 async def engine() -> AsyncIterator[Engine]:
-    """One engine with the default settings, for all tests that need no other: each start costs seconds."""
-    async with Engine() as started:
+    """One engine for all tests that need no other: each start costs seconds. It reads texts in the same way on every
+    machine, without the learned reader's model."""
+    async with Engine(Settings(method="embedded")) as started:
         yield started
 
 

@@ -28,7 +28,7 @@ Read = Callable[[str], Structure]
 def reading(by_model: bool) -> Read:
     """How a text is read: by the learned reader, or by the embedded interpreter."""
     embedded = EmbeddedInterpreter()
-    return lambda text: learned(text, embedded)[1].structure if by_model else embedded.interpret(text).structure
+    return lambda text: learned(text).structure if by_model else embedded.interpret(text).structure
 
 
 def read(chosen: list[Scene], one: Read) -> None:

@@ -107,9 +107,9 @@ async def _generate(
         idle: asyncio.Task[Any] | None = None
         async with Engine(settings) as engine:
             async for event in engine.generate(text, **options):
-                if isinstance(event, StructureChanged) and idle is None and method == "embedded":
-                    read = event.structure.text
-                    idle = asyncio.create_task(engine.without_effect(read))  # while the scenario is written and run
+                if isinstance(event, StructureChanged) and idle is None:
+                    read = event.structure
+                    idle = asyncio.create_task(engine.without_effect(read.text, read_so=read))  # while that is run
                 elif isinstance(event, StageStarted) and status is not None:
                     status.update(event.stage)
                 elif isinstance(event, Say) and not quiet:

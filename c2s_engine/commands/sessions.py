@@ -268,8 +268,7 @@ async def _work(
             if say:
                 upon = session.structure
                 done = await _take(session.say(say, **options), quiet, told)
-                embedded = (options["method"] or settings.method) == "embedded"
-                if done is not None and embedded and session.structure != upon:
+                if done is not None and session.structure != upon:
                     idle = await _without_effect(engine, session, say, upon)
                     done = done.model_copy(update={"details": {**done.details, "without_effect": idle}})
             if edits:

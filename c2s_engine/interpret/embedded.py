@@ -85,41 +85,60 @@ class Interpretation:
     confidences: dict[str, float] = field(default_factory=dict)
 
 
-class EmbeddedInterpreter:
-    """Reads driving scenarios by grammar and tables; no model is asked."""
+@dataclass(frozen=True)
+class Understood:
+    """A text with its spelling mended, the scene that it tells, and the interpreter's own S of it."""
 
-    def interpret(self, text: str, structure: Structure | None = None) -> Interpretation:
-        """S of a text; raises InterpretError where it is no English or tells nothing of a driving scene."""
-        del structure
-        if not text.strip():
-            raise InterpretError(
-                "The text is empty: describe a driving scene, for example “a car cuts in ahead of ego”."
-            )
-        if not is_english(text):
-            raise InterpretError(NOT_ENGLISH)
-        with faults():
-            return self._read(text)
+    text: str
+    mended: Mended
+    scene: Scene
+    structure: Structure
 
-    def _read(self, text: str) -> Interpretation:
+    def on_the_text(self, structure: Structure) -> Structure:
+        """S, made of the mended text, with its links, notes and clauses on the user's own."""
+        return _on_original(structure, self.mended, self.text)
+
+
+def understood(text: str) -> Understood:
+    """What the interpreter understands of a text; raises InterpretError where it is no English or tells nothing of a
+    driving scene, InterpreterFault where the interpreter fails."""
+    if not text.strip():
+        raise InterpretError("The text is empty: describe a driving scene, for example “a car cuts in ahead of ego”.")
+    if not is_english(text):
+        raise InterpretError(NOT_ENGLISH)
+    with faults():
         mended = Mended(text[:READ_AT_MOST])
-        understood = typologies.understand(mended.text)
-        if not _has_scene(understood):
+        scene = typologies.understand(mended.text)
+        if not _has_scene(scene):
             raise InterpretError(
                 "Nothing in the text tells of a driving scene: name in English the vehicles or people, where they "
                 "are and what they do."
             )
-        understood.actors = understood.actors[:MOST_OBJECTS]
-        result = accounted(understood, compose.compose(understood), mended.text)
-        result = _on_original(result, mended, text)
-        begun = {start for start, _ in result.clauses}
-        whole = [n for n in (*result.not_understood, *result.background) if n.span and n.span[0] in begun]
-        if _idle(understood) and whole:
+        scene.actors = scene.actors[:MOST_OBJECTS]
+        found = Understood(text, mended, scene, accounted(scene, compose.compose(scene), mended.text))
+        own = found.structure
+        begun = {start for start, _ in own.clauses}
+        whole = [n for n in (*own.not_understood, *own.background) if n.span and n.span[0] in begun]
+        if _idle(scene) and whole:
             raise InterpretError(
                 "This describes no driving scenario: name in English the vehicles or people, where they are and what "
                 "they do."
             )
-        stages = _spans_back(_stages(understood), mended)
-        return Interpretation(result, result.not_understood, stages, understood.settings.confidences())
+        return found
+
+
+class EmbeddedInterpreter:
+    """Reads driving scenarios by grammar and tables; no model is asked."""
+
+    def interpret(self, text: str) -> Interpretation:
+        """S of a text; raises as `understood`."""
+        found = understood(text)
+        with faults():
+            structure = found.on_the_text(found.structure)
+            stages = _spans_back(_stages(found.scene), found.mended)
+            return Interpretation(
+                structure, structure.not_understood, stages, found.scene.settings.confidences()
+            )
 
 
 def _on_original(structure: Structure, mended: Mended, text: str) -> Structure:

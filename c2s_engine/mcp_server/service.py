@@ -122,8 +122,7 @@ class Service:
             options = {"method": method, "map": map, "seed": seed, "runs": runs, "strict": strict}
             done, _ = await teller.finish(self.engine.generate(words, **options))  # type: ignore[arg-type]
             assert done is not None
-            embedded = (method or self.engine.settings.method) == "embedded"
-            idle = await self._idle(self.engine.without_effect(words)) if embedded else ()
+            idle = await self._idle(self.engine.without_effect(words, read_so=done.structure))
             return {**answers.scenario(done, output, idle), "notes": teller.notes}
 
         return await self._work(work)

@@ -123,8 +123,8 @@ async def of_text(
             done = event
     if done is None:
         return Material(id=told.id, text=told.text, matters=told.matters, problem=said or "Nothing came of the text.")
-    read_here = told.structure is None and done.structure.text and (method or engine.settings.method) == "embedded"
-    idle = await engine.without_effect(told.text) if read_here else ()
+    read_here = told.structure is None and done.structure.text
+    idle = await engine.without_effect(told.text, read_so=done.structure) if read_here else ()
     facts = done.facts[0] if done.facts else None
     name, folder = done.details.get("map") or "", done.details.get("folder")
     others = (
@@ -149,9 +149,9 @@ async def of_program(engine: Engine, file: Path, text: str, *, seed: int = 0) ->
     found = await _run(engine, Program(text=text, spans=spans(edits)), str(file.resolve().parent), file.name, seed)
     origin = f"program {file.name}, S {'saved with it' if edits else 'recognised in it'}"
     idle: Sequence[Unmet] = ()
-    if structure.text.strip() and engine.settings.method == "embedded":
+    if structure.text.strip():
         with contextlib.suppress(Unreadable):
-            idle = await engine.without_effect(structure.text)
+            idle = await engine.without_effect(structure.text, read_so=structure)
     return Material(id=file.stem, text=structure.text, origin=origin, structure=structure, idle=tuple(idle), **found)
 
 
@@ -164,7 +164,7 @@ async def of_session(engine: Engine, name: str, *, seed: int = 0) -> Material:
     try:
         structure, program, folder = session.structure, session.program, session.details.get("folder")
         idle = session.idle
-        if idle is None and engine.settings.method == "embedded":
+        if idle is None:
             with contextlib.suppress(Unreadable):
                 idle = await session.without_effect()
     finally:

@@ -31,7 +31,9 @@ def required(scene: Scene) -> Iterator[Requirement]:
             )
         placed = getattr(spec, "placement", None)
         across = bool(placed and placed.side == "left" and "enter_road" in actions)  # over the other side onto its own
-        if not actions & {*WRONG_WAY, *ACROSS} and not (placed and placed.facing == "against") and not across:
+        evades = actor == EGO and scene.ego.reaction == "evade"  # by the other side, where its own is blocked
+        against = across or evades or bool(placed and placed.facing == "against")
+        if not actions & {*WRONG_WAY, *ACROSS} and not against:
             yield scene.make("rules", "own_side", actor, "own_side", f"{name} keeps to its own side of the road.")
         stands = actor != EGO and actions <= {"stationary"} and (actions or spec.speed == 0)  # it waits for nothing
         if spec.type != "bicycle" and not stands:

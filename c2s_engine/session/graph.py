@@ -80,9 +80,10 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         if not state.get("text"):
             return {"stages": [], "details": {}}
         text, source = uncited(state["text"])
-        structure, edits, details, result = await method_of(state).interpret(text, structure_of(state), emit)
+        method = method_of(state)
+        structure, edits, details, result = await method.interpret(text, structure_of(state), emit)
         if structure is not None:
-            structure = resting_on(structure, source, state["text"])
+            structure = resting_on(structure.model_copy(update={"read_by": method.name}), source, state["text"])
             if own := state.get("own"):
                 structure = by_hand.carried(structure, Structure.model_validate(own))
             emit(StructureChanged(structure=structure))

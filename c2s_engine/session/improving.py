@@ -4,6 +4,7 @@ from collections import Counter
 from dataclasses import replace
 from typing import Any
 
+from c2s_engine.config import METHOD, WITHOUT_MODEL
 from c2s_engine.models.errors import ModelError
 from c2s_engine.session import steps
 from c2s_engine.session.model_methods import ModelMethod
@@ -22,7 +23,7 @@ MENDABLE = ("phase", "order", "place", "outcome", "conflict")
 
 def can_improve(state: dict[str, Any]) -> bool:
     """Whether the loop was asked for, and the runs of a program that ran left something to show."""
-    if not state.get("improve") or state.get("method") in (None, "embedded", "reader"):
+    if not state.get("improve") or (state.get("method") or METHOD) in WITHOUT_MODEL:
         return False
     facts = tuple(RunFacts.model_validate(f) for f in state.get("report", {}).get("facts", []))
     return any(f.ran for f in facts) and bool(_of_state(state).differences)

@@ -102,12 +102,13 @@ class ReaderMethod(EmbeddedMethod):
 
     async def read(self, text: str, emit: Emit) -> Structure:
         """S of a text, with the reaction that is usual where it says none; raises Unreadable."""
-        answer, reading = await read_learned(text, self.tools)
-        self.tokens += answer.prompt_tokens + answer.answer_tokens
-        emit(Usage(purpose="read", prompt_tokens=answer.prompt_tokens, answer_tokens=answer.answer_tokens))
-        for note in reading.notes:
-            emit(Say(text=note, severity="warning"))
-        return with_usual_reaction(reading.structure)
+        found = await read_learned(text, self.tools)
+        if (answer := found.answer) is not None:
+            self.tokens += answer.prompt_tokens + answer.answer_tokens
+            emit(Usage(purpose="read", prompt_tokens=answer.prompt_tokens, answer_tokens=answer.answer_tokens))
+        if found.note:
+            emit(Say(text=found.note))
+        return with_usual_reaction(found.structure)
 
     def account(self, structure: Structure | None) -> dict[str, Any]:
         """The tokens that reading took."""

@@ -5,11 +5,14 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
+import snowballstemmer
+
 from c2s_engine.session.reader import Unreadable, phrases, read, route
 from c2s_engine.session.steps import Tools
 from c2s_engine.structure.account import is_set
 from c2s_engine.structure.components import Structure, Unmet
 from c2s_engine.structure.edits import Edit, apply
+from c2s_engine.structure.sentences import sentence
 
 REASON = "S would be the same without it"
 SHOWN = 60
@@ -19,17 +22,56 @@ WORD = re.compile(r"[^\W_]+")
 SMALL = re.compile(r"an?|the|its|his|her|with|of|by|for|from|to|at|in|on|onto|along|and|but|then|or", re.IGNORECASE)
 MOST = 80
 """Readings of one text (some 60 ms each)."""
+UNSAID = "nothing in S says it"
+SAID = {REASON: "S would be the same without", UNSAID: "Nothing in S says"}
+
+Span = tuple[int, int]
 
 
-async def without_effect(text: str, tools: Tools) -> tuple[Unmet, ...]:
+async def without_effect(text: str, tools: Tools, read_so: Structure | None = None) -> tuple[Unmet, ...]:
     """The phrases without which the embedded interpreter reads the same S, in the order of the text; what is within
-    such a phrase, or was named as lost, is not named again. Raises Unreadable where the text cannot be read."""
-    structure = await read(text, tools)
+    such a phrase, or was named as lost, is not named again. Where a model has read the text (`read_so`), those of them,
+    and of what the interpreter does not understand, of which no word is in what that S says. Raises Unreadable where
+    the text cannot be read."""
+    own = await read(text, tools)
+    found = await _without(text, (await phrases(text, tools, own.clauses))[:MOST], own, tools)
+    if read_so is None or read_so.read_by in ("", "embedded"):
+        return _notes(text, found, REASON)
+    known = [u.span for u in _lost(read_so) if u.span]
+    missed = [*found, *(u.span for u in own.not_understood if u.span)]
+    unsaid = [s for s in missed if not _within(s, known) and not says(read_so, text[slice(*s)])]
+    return _notes(text, unsaid, UNSAID)
+
+
+def says(structure: Structure, phrase: str) -> bool:
+    """Whether some word of a phrase, but for small ones, is in what S says in its sentences and fields."""
+    stem = snowballstemmer.stemmer("english").stemWords
+    told = " ".join(
+        f"{c.description} {sentence(c, structure)} {c.spec.model_dump(exclude_defaults=True)}"
+        for c in structure.components
+    )
+    words = [w for w in WORD.findall(phrase.lower()) if not SMALL.fullmatch(w)]
+    return not words or bool(set(stem(words)) & set(stem(WORD.findall(told.lower().replace("_", " ")))))
+
+
+def _notes(text: str, spans: Sequence[Span], reason: str) -> tuple[Unmet, ...]:
+    outer = [s for s in set(spans) if not any(s != o and o[0] <= s[0] and s[1] <= o[1] for o in spans)]
+    return tuple(Unmet(text=text[a:b].strip(" ,;.\n"), reason=reason, span=(a, b)) for a, b in sorted(outer))
+
+
+def _within(span: Span, others: Sequence[Span]) -> bool:
+    return any(a <= span[0] and span[1] <= b for a, b in others)
+
+
+async def _without(
+    text: str, parts: Sequence[tuple[Span, str]], structure: Structure, tools: Tools
+) -> list[Span]:
+    """The spans of those phrases without which a text is read as the same S."""
     meant, known = _meant(structure), [u.span for u in _lost(structure) if u.span]
-    found: list[tuple[int, int]] = []
-    for (start, end), rest in (await phrases(text, tools, structure.clauses))[:MOST]:
+    found: list[Span] = []
+    for (start, end), rest in parts:
         begin = start + JOINED.match(text[start:end]).end()  # type: ignore[union-attr]
-        if any(a <= begin and end <= b for a, b in [*found, *known]):
+        if _within((begin, end), [*found, *known]):
             continue
         try:  # a turn that is given up lets the reader finish: it would have to be started anew
             same = _same(_meant(await asyncio.shield(read(rest, tools))), meant)
@@ -37,7 +79,7 @@ async def without_effect(text: str, tools: Tools) -> tuple[Unmet, ...]:
             continue
         if same and not _became(structure, (start, end)):
             found.append((start, end))
-    return tuple(Unmet(text=text[a:b].strip(" ,;.\n"), reason=REASON, span=(a, b)) for a, b in sorted(found))
+    return found
 
 
 async def changes_nothing(text: str, upon: Structure, tools: Tools) -> tuple[Unmet, ...]:
@@ -70,7 +112,10 @@ def told(found: Sequence[Unmet], of: str = "") -> str:
     said = " ".join(of.split())
     short = said if len(said) <= SHOWN else f"{said[:SHOWN].rsplit(' ', 1)[0]} ..."
     whose = f"Of “{short}”: " if said else ""
-    return f"{whose}S would be the same without: {'; '.join(f'“{u.text}”' for u in found)}."
+    by_reason: dict[str, list[str]] = {}
+    for unmet in found:
+        by_reason.setdefault(SAID.get(unmet.reason, SAID[REASON]), []).append(f"“{unmet.text}”")
+    return whose + " ".join(f"{head}: {'; '.join(words)}." for head, words in by_reason.items())
 
 
 def _became(structure: Structure, phrase: tuple[int, int]) -> bool:

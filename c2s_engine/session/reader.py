@@ -100,8 +100,8 @@ async def read(text: str, tools: Any) -> Structure:
     return await _asked(tools, "interpret", text)
 
 
-async def read_learned(text: str, tools: Any) -> tuple[Any, Any]:
-    """The learned reader's answer to a text, and what is read of it; raises Unreadable."""
+async def read_learned(text: str, tools: Any) -> Any:
+    """What the learned reader reads of a text (interpret.learned.Read); raises Unreadable."""
     return await _asked(tools, "learned", text)
 
 
@@ -136,10 +136,10 @@ def _answer(name: str, arguments: tuple[Any, ...]) -> Any:
     if name in ("interpret", "learned"):
         from c2s_engine.interpret import learned
 
-        embedded, text = EmbeddedInterpreter(), arguments[0]
+        text = arguments[0]
         try:
-            return learned.learned(text, embedded) if name == "learned" else embedded.interpret(text).structure
-        except (InterpretError, InterpreterFault, learned.ReaderError) as error:
+            return learned.learned(text) if name == "learned" else EmbeddedInterpreter().interpret(text).structure
+        except (InterpretError, InterpreterFault) as error:
             raise Unreadable(str(error)) from None
     text, structure, last = arguments
     try:

@@ -121,11 +121,10 @@ class Session:
         return self._idle.of(self.structure.text)
 
     async def without_effect(self) -> tuple[Unmet, ...]:
-        """These phrases, looked for where nobody has; they are kept. Raises Unreadable. Where a model has written S,
-        the embedded interpreter cannot tell: then there are none."""
+        """These phrases, looked for where nobody has; they are kept. Raises Unreadable."""
         text, found = self.structure.text, self.idle
-        if found is None and text and not any(c.origin == "generated" for c in self.structure.components):
-            found = tuple(await self._engine.without_effect(text))
+        if found is None and text:
+            found = tuple(await self._engine.without_effect(text, read_so=self.structure))
             await asyncio.to_thread(self._idle.keep, text, found)
         return found or ()
 
@@ -275,7 +274,7 @@ class Session:
             turn = begin()
             if self._head is None:
                 self._head = await asyncio.to_thread(self._root)
-            if turn.kind == "say" and turn.options.get("method") in (None, "embedded") and asks_for_account(turn.text):
+            if turn.kind == "say" and asks_for_account(turn.text):
                 with contextlib.suppress(ValueError, OSError):  # what cannot be read has no phrases
                     await self.without_effect()
             values = {

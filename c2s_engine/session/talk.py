@@ -5,6 +5,7 @@ from collections.abc import AsyncGenerator, Sequence
 from contextlib import aclosing
 from typing import Any
 
+from c2s_engine.config import METHOD, WITHOUT_MODEL
 from c2s_engine.retrieve.provenance import whose
 from c2s_engine.session.as_run import as_run
 from c2s_engine.session.asked import HELP, answered, wants_help
@@ -192,11 +193,7 @@ async def _routed(
 
 def uses_model(engine: Facade, method: str) -> bool:
     """Whether a model is at work under the method."""
-    if method == "embedded" or not engine.settings.model:
-        return False
-    from c2s_engine.write.methods import needs_model
-
-    return needs_model(method)
+    return bool(engine.settings.model) and method not in WITHOUT_MODEL
 
 
 async def _picked(engine: Facade, number: int, passages: Sequence[Any]) -> AsyncGenerator[Any, None]:
@@ -245,7 +242,7 @@ def outcome(finished: Finished, before: Structure) -> str:
 
 
 async def answer(
-    engine: Facade, question: str, structure: Structure | None = None, method: str = "embedded",
+    engine: Facade, question: str, structure: Structure | None = None, method: str = METHOD,
     shown: Finished | None = None,
 ) -> AsyncGenerator[Progress, None]:
     """What the run showed, why something is there; else passages, summed up where there is a model."""

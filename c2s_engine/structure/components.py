@@ -134,6 +134,7 @@ class Structure(Frozen):
         rows = sorted((place, p["id"], text) for p in old for place, text in p.pop("layout"))
         return {**data, "arrangement": [row[1:] for row in rows]} if rows else data
 
+    read_by: str = Field("", description="the method that read the text; empty: not known, or nothing was read")
     background: tuple[Unmet, ...] = Field((), description="spans that are about something else than the scene")
     clauses: tuple[tuple[int, int], ...] = Field((), description="the text's clauses, where the method parted it")
 

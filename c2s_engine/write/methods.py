@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from c2s_engine.config import WITHOUT_MODEL
 from c2s_engine.interpret.learned import learned
 from c2s_engine.interpret.llm.typed import Reading
 from c2s_engine.models.client import OllamaClient
@@ -74,7 +75,8 @@ class EmbeddedMethod:
 
     async def interpret(self, text: str, on_event: OnEvent | None = None) -> Reading:
         if self.name == "reader":
-            return learned(text, self.tools.embedded)[1]
+            found = learned(text)
+            return Reading(structure=found.structure, notes=(found.note,) if found.note else ())
         return Reading(structure=self.tools.embedded.interpret(text).structure)
 
     async def write(self, structure: Structure, on_event: OnEvent | None = None) -> Structure:
@@ -98,13 +100,13 @@ class _Plainly:
 def names() -> list[str]:
     """Every method's name."""
     prompted = [f"chat2scenic:{c}" for c in configurations()]
-    return ["embedded", "reader", "typed", "mixed", "prompted", *prompted, "chatscene",
+    return ["reader", "embedded", "typed", "mixed", "prompted", *prompted, "chatscene",
             "nl2scenic:zero", "nl2scenic:few", "nl2scenic:cot"]  # fmt: skip
 
 
 def needs_model(name: str) -> bool:
     """Whether a method cannot do without a model."""
-    return name not in ("embedded", "reader", "chatscene")
+    return name not in WITHOUT_MODEL
 
 
 def retrieves(name: str) -> bool:

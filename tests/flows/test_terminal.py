@@ -91,7 +91,7 @@ def draft(terminal: Terminal, name: str) -> str:
 
 def test_describe_change_and_save_a_program_that_compiles(terminal):
     terminal.start("work")
-    terminal.shows("embedded")
+    terminal.shows("reader")
     terminal.shows(" work ")
     terminal.type(TEXT)
     terminal.keys("Enter")
@@ -167,7 +167,7 @@ def test_detach_and_attach_and_a_dropped_line_saves(terminal):
 
 def test_a_line_that_drops_without_a_signal_ends_the_app_too(terminal):
     terminal.start("work", before="trap '' HUP; setsid -w")  # no terminal of its own: nobody tells it
-    terminal.shows("embedded")
+    terminal.shows("reader")
     terminal.shows(" work ")
     pid = int(
         subprocess.run(["pgrep", "-f", "c2s_tui.entry app work"], capture_output=True, text=True).stdout.split()[-1]

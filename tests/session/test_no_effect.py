@@ -5,7 +5,7 @@ from session_fake import FakeEngine
 
 from c2s_engine.api import Engine
 from c2s_engine.interpret.phrases import without_each
-from c2s_engine.session.no_effect import REASON
+from c2s_engine.session.no_effect import REASON, UNSAID, told
 from c2s_engine.session.reader import Unreadable, read
 from c2s_engine.session.sessions import Sessions
 from c2s_engine.structure.components import Structure, Unmet
@@ -40,6 +40,18 @@ async def test_what_makes_no_difference_is_named(engine, text, idle):
     assert all(text[u.span[0] : u.span[1]].strip(" ,;.") == u.text for u in found)
 
 
+async def test_of_what_a_model_has_read_those_phrases_are_named_that_nothing_in_s_says(engine):
+    """What the interpreter does without ("red", "without indicating") the model may have in S."""
+    text = "Ego drives at 50 km/h. A red car ahead of ego brakes hard without indicating."
+    read_so = (await read(text, engine.tools)).model_copy(update={"read_by": "reader", "not_understood": ()})
+    found = await engine.without_effect(text, read_so=read_so)
+    assert [(u.text, u.reason) for u in found] == [("red", UNSAID), ("without indicating", UNSAID)]
+    assert told(found) == "Nothing in S says: “red”; “without indicating”."
+    lead = read_so.objects[0]
+    read_so = read_so.with_component(lead.model_copy(update={"description": "A red car brakes."}))
+    assert [u.text for u in await engine.without_effect(text, read_so=read_so)] == ["without indicating"]
+
+
 CHANGES = [
     ("make the van a truck with a nice driver", ["with a nice driver"]),
     ("the van drives 80 km/h", []),
@@ -72,7 +84,7 @@ async def test_what_was_found_stays_with_the_session(tmp_path):
             done = structure if text.endswith("?") else Structure(text=text)
             yield Finished(ok=True, structure=done, program=assemble(done))
 
-        async def without_effect(self, text):
+        async def without_effect(self, text, read_so):
             self.looked += 1
             return (idle,)
 

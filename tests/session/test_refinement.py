@@ -21,7 +21,7 @@ async def take(events):
 @pytest.fixture
 async def session(tmp_path):
     sessions = Sessions(tmp_path / "sessions")
-    async with Engine(Settings(offers=False)) as engine:
+    async with Engine(Settings(method="embedded", offers=False)) as engine:
 
         async def search(query, **options):
             return [Passage(kind="doc", title="Cut-in", text="A vehicle enters ego's lane ahead of it.", score=0.9)]

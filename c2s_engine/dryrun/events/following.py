@@ -20,11 +20,17 @@ class Beside:
 
 
 def beside(seen: Seen, other: Seen, situation: Situation) -> Beside | None:
-    """None where the other is on no lane."""
-    if other.way is None:
-        return None
+    """Where it is along the other's way, or along its own where the other is on no lane but stands out into its own;
+    else None."""
     n = min(len(seen.x), len(other.x))
-    (s, d), (mine, _) = other.placed(seen), other.placed(other)
+    if other.way is not None:
+        (s, d), (mine, _) = other.placed(seen), other.placed(other)
+    elif seen.way is not None:
+        (s, _), (mine, d) = seen.placed(seen), seen.placed(other)
+        if np.abs(d).min() - other.path.width / 2 > definitions()["overtake"].edge:
+            return None
+    else:
+        return None
     return Beside(s[:n] - mine[:n], d[:n], _same_lane(seen, other, situation, n))
 
 

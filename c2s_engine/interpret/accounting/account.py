@@ -19,7 +19,8 @@ from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.surroundings import environment, place
 from c2s_engine.interpret.surroundings.settings import Settings, SettingsDetector
 from c2s_engine.interpret.what.event import Event
-from c2s_engine.structure.components import Link, Structure, Unmet
+from c2s_engine.structure.account import is_set
+from c2s_engine.structure.components import Component, Link, Structure, Unmet
 
 Span = tuple[int, int]
 
@@ -45,6 +46,21 @@ def accounted(scene: Scene, structure: Structure, text: str) -> Structure:
     if named and not scene.text.startswith(text[: named[2][0]]) or named and len(scene.text) < len(text):
         return _by_name(structure, text, named[2])
     return _Account(scene, linked(scene, structure), text, named[2] if named else None).made()
+
+
+def accounted_as_read(scene: Scene, structure: Structure, text: str) -> Structure:
+    """The same of an S that was not made of the scene: what the interpreter's grammar does not know may be in that, so
+    that a clause is lost only where it has a value that no field holds, or bounds that T does not have."""
+    structure = linked(scene, structure)
+    for component in structure.components[:-1]:
+        links = [_of_set_fields(component, li) for li in component.links]
+        structure = structure.with_component(component.model_copy(update={"links": tuple(links)}))
+    return _AsRead(scene, structure, text, None).made()
+
+
+def _of_set_fields(component: Component, link: Link) -> Link:
+    """The link, of no field where the component does not have what the interpreter would have made of the words."""
+    return link if not link.field or is_set(component.spec, link.field) else link.model_copy(update={"field": ""})
 
 
 def _by_name(structure: Structure, text: str, span: Span) -> Structure:
@@ -106,9 +122,13 @@ class _Account:
             word = self.scene.words[event.word]
             at = (word.start, word.end)
             notes.append(Unmet(text=text[slice(*at)], reason=NO_STEP.format(event.act.replace("_", " "), cid), span=at))
-        values = [(text[slice(*at)], at) for at in unheld(self.scene, self.structure)]
-        notes += [Unmet(text=words, reason=NO_VALUE.format(words), span=at) for words, at in values]
+        notes += self._unheld()
         return [n for n in notes if n.span and _meets(n.span, spans) and not _meets(n.span, self.notes)]
+
+    def _unheld(self) -> list[Unmet]:
+        """Values of the text that no field has."""
+        values = [(self.scene.text[slice(*at)], at) for at in unheld(self.scene, self.structure)]
+        return [Unmet(text=words, reason=NO_VALUE.format(words), span=at) for words, at in values]
 
     def _untold(self, clauses: list[list[Word]], missed: list[Unmet]) -> list[Unmet]:
         """Verbs with what goes with them that led to nothing in S, though their clause is in it by other words."""
@@ -157,14 +177,18 @@ class _Account:
         strange = [w for w in verbs if w.lemma not in BARE and w.i not in light and w.i not in self.known]
         if named and not strange or self._of_place(span):
             return None
+        if aside := self._aside(span, bool(verbs), len(words)):
+            return aside
+        return _Lost(False, STRANGE.format(strange[0].text) if strange and named else NOTHING)
+
+    def _aside(self, span: Span, verbs: bool, words: int) -> _Lost | None:
+        """Why a clause is no part of a scene by its form: a date, a heading, a number of a list."""
         plain = self.scene.plain[slice(*span)].strip(" ,.")
         if WHEN.fullmatch(plain):
             return _Lost(True, "when it was is no part of a scenario")
-        if not verbs and len(words) <= LABEL_WORDS and self.scene.text[span[1] :].lstrip()[:1] == ":":
+        if not verbs and words <= LABEL_WORDS and self.scene.text[span[1] :].lstrip()[:1] == ":":
             return _Lost(True, HEADING)
-        if not any(ch.isalpha() for ch in plain):
-            return _Lost(True, HEADING)
-        return _Lost(False, STRANGE.format(strange[0].text) if strange and named else NOTHING)
+        return None if any(ch.isalpha() for ch in plain) else _Lost(True, HEADING)
 
     def _of_place(self, span: Span) -> bool:
         """Whether the road, the weather or the light would be read otherwise without the clause."""
@@ -178,6 +202,24 @@ class _Account:
         if _sky(SettingsDetector().detect(without, sentences)) != _sky(self.scene.settings):
             return True
         return len(environment.light(without, sentences)) != len(self.scene.light)
+
+
+class _AsRead(_Account):
+    """The account of an S that was read otherwise."""
+
+    def _lost(self, words: list[Word]) -> _Lost | None:
+        span = span_of(words)
+        if _meets(span, self.spans) or _meets(span, self.notes) or _meets(span, self.quantities):
+            return None
+        if reason := _topic(words, named=any(w.i in self.known for w in words)):
+            return _Lost(True, reason)
+        return self._aside(span, any(w.tag.startswith("VB") for w in words), len(words))
+
+    def _left_out(self, spans: list[Span]) -> list[Unmet]:
+        return [n for n in self._unheld() if n.span and not _meets(n.span, self.notes)]
+
+    def _untold(self, clauses: list[list[Word]], missed: list[Unmet]) -> list[Unmet]:
+        return []
 
 
 def _sky(found: Settings) -> tuple[list[str], str | None]:

@@ -20,10 +20,9 @@ ANSWER = 400
 """Tokens of the longest answer."""
 THREADS = 4
 """At most: a model this small gains nothing by more."""
-MISSING = "The learned reader's packages are not installed: run `make run` once more, or use the embedded method."
-TOO_LONG = "The text is too long for the learned reader: tell one scene, or use the embedded method."
-
-FAILED = "The learned reader could not answer ({}): try again, or use the embedded method."
+MISSING = "The learned reader's packages are not installed (run `make run` once more)"
+TOO_LONG = "The text is too long for the learned reader"
+FAILED = "The learned reader could not answer ({})"
 
 
 class ReaderError(ValueError):

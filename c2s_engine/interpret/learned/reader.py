@@ -1,26 +1,51 @@
 """S of the learned model's answer in short notation; what of the answer fits no field is left out.
 
 The model is SmolLM2-135M with an adapter trained on texts with their S (benchmark/reading). It says what the text says:
-no defaults, no planner's numbers. Weather, light and what it leaves out of the road come from the embedded interpreter,
-which reads these better; where its answer is no S at all, all of that one's reading stands in.
+no defaults, no planner's numbers. The weather, what it leaves out of the road, and what became of each clause come
+from the embedded interpreter, which reads the whole text where the model cannot.
 """
 
+from dataclasses import dataclass
 from typing import Any
 
 from pydantic import ValidationError
 
+from c2s_engine.interpret import typologies
+from c2s_engine.interpret.accounting import accounted_as_read
+from c2s_engine.interpret.composing import unmet
+from c2s_engine.interpret.embedded import Understood, faults, understood
+from c2s_engine.interpret.entities import fits
+from c2s_engine.interpret.learned.decoder import Answer, ReaderError, loaded
+from c2s_engine.interpret.learned.grounding import grounded
 from c2s_engine.interpret.learned.notation import Components, parse
-from c2s_engine.interpret.learned.quantities import si
+from c2s_engine.interpret.learned.quantities import si, unit_of
 from c2s_engine.interpret.llm import fallback
 from c2s_engine.interpret.llm.components import link
-from c2s_engine.interpret.llm.typed import Embedded, Reading
+from c2s_engine.interpret.scene import Scene
 from c2s_engine.structure.components import Component, Structure, Unmet
 from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.structure.sentences import described
-from c2s_engine.structure.specs import SPEC_OF, AnySpec, PlaceSpec
+from c2s_engine.structure.specs import SPEC_OF, AnySpec, ObjectSpec, PlaceSpec, SettingsSpec
 
+MOST_WORDS = 80
+"""Words of the longest texts that it was trained on, but for one in a hundred."""
 NOT_USED = "the learned reader's words for it fit no field"
+TOO_LONG = f"The text has more than the {MOST_WORDS} words that the learned reader can read"
+NO_SCENARIO = "The learned reader's answer is no scenario"
+INSTEAD = "{}: the embedded interpreter read the text instead."
+_LENGTHS = ("gap", "spacing", "distance", "lateral", "clearance")
+_UNITS = {**dict.fromkeys(_LENGTHS, "m"), "speed": "m/s", "rate": "m/s2", "duration": "s", "delay": "s", "arrives": "s"}
 _REFERENCES = ("of", "target", "react_to", "hidden_by", "subject", "other")
+
+
+@dataclass(frozen=True)
+class Read:
+    """S of a text, with the model's answer; `note`: why the embedded interpreter read it instead, if it is to be
+    said."""
+
+    structure: Structure
+    answer: Answer | None = None
+    note: str = ""
 
 
 def asked(text: str) -> str:
@@ -28,19 +53,64 @@ def asked(text: str) -> str:
     return " ".join(text.split()) if text.count("\n") < 3 else text.strip()
 
 
-def reading(answer: str, text: str, embedded: Embedded) -> Reading:
-    """S of a text by the model's answer; raises what the embedded interpreter raises where that has to stand in."""
+def learned(text: str) -> Read:
+    """S of a text; raises what the embedded interpreter raises."""
+    found = understood(text)
+    own = found.on_the_text(found.structure)
+    if typologies.named(text):  # the name of a crash type stands for a text that the interpreter knows
+        return Read(own)
+    if len(text.split()) > MOST_WORDS:
+        return Read(own, note=INSTEAD.format(TOO_LONG))
+    try:
+        answer = loaded().answer(asked(text))
+    except ReaderError as error:
+        return Read(own, note=INSTEAD.format(error))
+    with faults():
+        structure = reading(answer.text, found)
+    return Read(own, answer, INSTEAD.format(NO_SCENARIO)) if structure is None else Read(structure, answer)
+
+
+def reading(answer: str, found: Understood) -> Structure | None:
+    """S of a text by the model's answer, with what became of each clause; None where the answer is no scenario."""
     components = parse(answer)
-    theirs = fallback.Embedded(embedded, text)
-    if "E" in components or "R" in components:
-        return Reading(structure=_with_surroundings(structure_of(components, text), theirs.structure))
-    reason = "The learned reader's answer is no scenario: the embedded interpreter read the text instead."
-    structure = theirs.strict()
-    return Reading(structure=structure, fallbacks=dict.fromkeys(structure.ids, reason), notes=(reason,))
+    if not components.keys() & {"E", "R"}:
+        return None
+    scene = found.scene
+    structure = _with_surroundings(structure_of(components, found.mended.text), found.structure)
+    scene.ids = grounded(scene, structure)
+    structure = _with_others(scene, _with_untold(found, structure))
+    structure = accounted_as_read(scene, structure, found.mended.text)
+    for component in structure.components:
+        if component.id in components and not component.links:
+            links = link(structure.text, component.description)
+            structure = structure.with_component(component.model_copy(update={"links": links}))
+    return found.on_the_text(structure)
+
+
+def _with_untold(found: Understood, structure: Structure) -> Structure:
+    """S with what the text tells and no spec can say, each with whom it is about."""
+    for owner, note in unmet.find(found.scene):
+        cid = owner if isinstance(owner, str) else found.scene.ids.get(owner, "E").replace("ego", "E")
+        component = structure[cid]
+        structure = structure.with_component(component.model_copy(update={"unmet": (*component.unmet, note)}))
+    return structure
+
+
+def _with_others(scene: Scene, structure: Structure) -> Structure:
+    """S with a note where somebody is of another type in it than the text's word for it."""
+    for entity, cid in scene.ids.items():
+        spec = structure[cid].spec if not entity.ego else None
+        if isinstance(spec, ObjectSpec) and spec.type not in (entity.type, entity.noun) and not fits(entity, spec.type):
+            at = entity.mentions[0]
+            reason = f"in S it is a {spec.type.replace('_', ' ')}"
+            note = Unmet(text=scene.text[at.start : at.end], reason=reason, span=(at.start, at.end))
+            component = structure[cid]
+            structure = structure.with_component(component.model_copy(update={"unmet": (*component.unmet, note)}))
+    return structure
 
 
 def _with_surroundings(structure: Structure, theirs: Structure) -> Structure:
-    """S with the other reading's settings, and with what that one knows of the same kind of place beyond it."""
+    """S with the other reading's weather and map, and with what that one knows of the same kind of place beyond it."""
     place, other = structure.place.spec, theirs.place.spec
     assert isinstance(place, PlaceSpec) and isinstance(other, PlaceSpec)
     more: dict[str, Any] = {}
@@ -49,7 +119,11 @@ def _with_surroundings(structure: Structure, theirs: Structure) -> Structure:
         more = {name: getattr(other, name) for name in fields if getattr(place, name) is None}
         more["kind"] = other.kind if place.kind == "road" else place.kind
     filled = structure.place.model_copy(update={"spec": place.model_copy(update=more)})
-    settings = theirs.settings.model_copy(update={"assumed": ()})
+    own, read = structure.settings.spec, theirs.settings.spec
+    assert isinstance(own, SettingsSpec) and isinstance(read, SettingsSpec)
+    told = {name: getattr(own, name) for name in ("time", "light", "light_changes")}
+    spec = read.model_copy(update={**told, "weather": read.weather or own.weather})
+    settings = structure.settings.model_copy(update={"spec": spec})
     return described(structure.with_component(filled).with_component(settings))
 
 
@@ -57,24 +131,41 @@ def structure_of(components: Components, text: str) -> Structure:
     """S of components in plain data: whatever fits no field of its spec, or names nobody, is left out and noted."""
     objects = {cid: data for cid, data in components.items() if cid.startswith("O")}
     ids = {"ego", *objects}
-    found = {cid: _component(cid, components.get(cid, {}), ids) for cid in ("G", "R", "E", *objects, "T")}
+    speeds = {"ego" if c == "E" else c: si(data["speed"]) for c, data in components.items() if "speed" in data}
+    found = {cid: _component(cid, components.get(cid, {}), ids, speeds) for cid in ("G", "R", "E", *objects, "T")}
     structure = Structure(
         text=text, settings=found["G"], place=found["R"], ego=found["E"],
         objects=tuple(found[cid] for cid in objects), restrictions=found["T"],
     )  # fmt: skip
-    structure = described(fallback.in_order(fallback.distinct_names(structure)))
-    for component in structure.components:
-        if component.id in components:
-            links = link(text, component.description)
-            structure = structure.with_component(component.model_copy(update={"links": links}))
-    return structure
+    return described(fallback.in_order(fallback.distinct_names(structure)))
 
 
-def _component(cid: str, data: dict[str, Any], ids: set[str]) -> Component:
+def _component(cid: str, data: dict[str, Any], ids: set[str], speeds: dict[str, Any]) -> Component:
     lost: list[str] = []
     own = "ego" if cid == "E" else cid
-    spec = _spec(cid[0], _known(si(data), ids, own, lost), lost)
+    spec = _spec(cid[0], _known(si(_in_units(data, own, speeds, lost)), ids, own, lost), lost)
     return Component(id=cid, spec=spec, unmet=tuple(Unmet(text=said, reason=NOT_USED) for said in lost))
+
+
+def _in_units(data: Any, own: str, speeds: dict[str, Any], lost: list[str]) -> Any:
+    """The data with quantities in the units of their fields: s of room are m at the speed of who follows; what has
+    another unit goes."""
+    if isinstance(data, list):
+        return [_in_units(item, own, speeds, lost) for item in data]
+    if not isinstance(data, dict):
+        return data
+    kept: dict[str, Any] = {}
+    behind = "behind" in (data.get("position"), data.get("along"))
+    follows = data.get("of", "ego") if "position" in data and not behind else own
+    for name, value in data.items():
+        unit = unit_of(value)
+        if unit in ("", _UNITS.get(name, unit)):
+            kept[name] = _in_units(value, own, speeds, lost)
+        elif unit == "s" and name in _LENGTHS and isinstance(speed := speeds.get(follows), float):
+            kept[name] = f"{round(si(value) * speed, 1)}m"
+        else:
+            lost.append(f"{name} {value}")
+    return kept
 
 
 def _known(data: Any, ids: set[str], own: str, lost: list[str]) -> Any:

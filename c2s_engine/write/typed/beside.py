@@ -45,7 +45,12 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
     else:
         line = measured(structure, cid, spec, plan, sign)
     along = member(spec, at, sign or 1)
-    spot = _edge(spec, line, along, "place.lane", plan, stations.set_back(structure, cid, plan))
+    back = stations.set_back(structure, cid, plan)
+    if stations.parked_in_way(structure, cid):
+        back = WIDTH[spec.type] / 2 - stations.INTO_LANE - stations.outwards(spec)
+        if spec.placement.side == "left" and spec.placement.facing is None:  # as those go who come by there
+            spec = spec.model_copy(update={"placement": spec.placement.model_copy(update={"facing": "against"})})
+    spot = _edge(spec, line, along, "place.lane", plan, back)
     if spec.placement.lateral is None or of != "ego":
         return spot
     left, room = spec.placement.side == "left", stations.from_lane(structure, spec)

@@ -9,7 +9,7 @@ from c2s_engine.write.typed import lateral, pockets, scope
 from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.stations import outwards
+from c2s_engine.write.typed.stations import outwards, parked_in_way
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, LANE_NAME, TURN, WIDTH, is_static
 from c2s_engine.write.typed.usual import rides_beside, speed_of, turn_of
 
@@ -215,7 +215,8 @@ class Course:
             return False
         if target is None:
             return cid == "ego" and own.placement.of == "ego" and own.placement.position == "behind"
-        ahead = target.placement.position in ("ahead", "partly_in_lane") and target.placement.along != "behind"
+        there = target.placement.position in ("ahead", "partly_in_lane") or parked_in_way(self.actor.structure, cid)
+        ahead = there and target.placement.along != "behind"
         return ahead and self.actor.plan.lane_of.get(self.actor.cid) in (0, None)
 
     def oncoming_both(self, phase: Phase) -> bool:

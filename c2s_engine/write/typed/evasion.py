@@ -8,6 +8,7 @@ from c2s_engine.write.typed.collisions import Step, hit_next, struck_beside, way
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.hiding import aside
 from c2s_engine.write.typed.passing import BESIDE, NARROW
+from c2s_engine.write.typed.stations import parked_in_way
 from c2s_engine.write.typed.tables import LANE_WIDTH, WIDTH, is_static, is_vehicle, is_walker
 from c2s_engine.write.typed.threats import beside_way, every, members
 
@@ -89,7 +90,8 @@ def goes_round(c: Course, p: Phase) -> list[Step]:
     free = [step for step in (1, -1) if (c.lane or 0) + step in c.actor.plan.offsets]
     side = {"left": ", 1", "right": ", -1", None: f", {free[0]}" if len(free) == 1 else ""}[p.side]
     partly = (thing := c.other(target)) is not None and thing.placement.position == "partly_in_lane"
-    wide = middle(p.clearance) if p.clearance is not None else PASSING if partly or beside_way(s, target) else None
+    beside = partly or beside_way(s, target) or parked_in_way(s, target)
+    wide = middle(p.clearance) if p.clearance is not None else PASSING if beside else None
     room = f", room={scope.number(wide)}" if wide is not None else ""
     aside = f"lambda: way_round(self, line, [{every(s, target)}]{side}{room})"
     steady = p.speed is not None or _small(c, target) or not c.actor.is_ego

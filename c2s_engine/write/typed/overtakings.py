@@ -6,8 +6,10 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.collisions import Step
 from c2s_engine.write.typed.course import Course
+from c2s_engine.write.typed.evasion import goes_round
 from c2s_engine.write.typed.lanes import leaves_lane
 from c2s_engine.write.typed.passing import NARROW, comes_back, faster, pull_out, sideways, to_slow
+from c2s_engine.write.typed.stations import parked_in_way
 from c2s_engine.write.typed.tables import HALF_LANE, LANE_NAME, WIDTH, is_static, is_vehicle
 from c2s_engine.write.typed.threats import hits_ego, is_hit, members
 
@@ -28,6 +30,8 @@ BREAKS_OFF = {"brake", "swerve", "collide", "stop", "leave_road", "lane_change"}
 
 def overtakes(c: Course, p: Phase) -> list[Step]:
     """The steps out, past the other (all of them where they are several) and back."""
+    if parked_in_way(c.actor.structure, p.target):
+        return goes_round(c, p)
     c.set(_top(c, p))
     scrapes = _scrapes(c, p)  # it comes back too early
     past = " and ".join(f"lead_on(self, {one}) > {TOO_EARLY if scrapes else _ahead(c, p)}" for one in _whom(c, p))

@@ -4,7 +4,7 @@ import math
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import ObjectSpec, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
 from c2s_engine.write.typed.lanes import is_landmark
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import (
@@ -54,6 +54,8 @@ SEEN_RUNNING = 1.8
 """s before it is in ego's way for which an animal is seen that comes running."""
 SEEN_WALKING = 3.0
 """s for which somebody is seen who walks up to the road and halts there."""
+INTO_LANE = 0.6
+"""m by which what is parked stands out into the lane of those who have to get past it; a car still has room there."""
 BAY = 1.2
 """m from the road to who stands in a bay or a driveway."""
 BEHIND_WALK = 2.5
@@ -325,6 +327,21 @@ def outwards(spec: ObjectSpec) -> float:
     if spec.placement.facing == "across":  # in a bay or a driveway
         return LENGTH[spec.type] / 2 + BAY
     return max(1.8 if spec.placement.position == "roadside" else out, WIDTH[spec.type] / 2 + 0.3)  # out of the lane
+
+
+def parked_in_way(structure: Structure, cid: str | None) -> bool:
+    """Whether something is parked where somebody comes up who gets past it: then it stands out into the lane."""
+    spec = structure[cid].spec if cid and cid in structure else None
+    if not isinstance(spec, ObjectSpec) or spec.placement.position != "parked" or not is_static(spec):
+        return False
+    comes = {"oncoming_lane"} if spec.placement.side == "left" else {"ahead", "behind"}
+    there = [o.spec for o in structure.objects if isinstance(o.spec, ObjectSpec) and o.spec.placement.position in comes]
+    ego = structure.ego.spec
+    if isinstance(ego, EgoSpec) and spec.placement.side != "left":
+        if ego.reaction == "evade" and ego.react_to == cid:
+            return True
+        there = [ego, *there]  # type: ignore[list-item]
+    return any(p.action in ("overtake", "swerve") and p.target == cid for s in there for p in s.phases)
 
 
 def from_lane(structure: Structure, spec: ObjectSpec) -> float:

@@ -5,7 +5,7 @@ from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import AnySpec, EgoSpec, ObjectSpec
 from c2s_engine.write.typed import lateral, scope
 from c2s_engine.write.typed.course import Actor
-from c2s_engine.write.typed.stations import at_door
+from c2s_engine.write.typed.stations import at_door, parked_in_way
 from c2s_engine.write.typed.tables import FLAT, is_static, is_walker
 from c2s_engine.write.typed.usual import crosses, pace_of
 
@@ -45,7 +45,9 @@ def beside_way(structure: Structure, cid: str | None) -> bool:
 def threatening(structure: Structure) -> list[str]:
     """The ids of the objects that may come into ego's way: all that move, and what stands in its lane."""
     objects = [(c.id, c.spec) for c in structure.objects if isinstance(c.spec, ObjectSpec) and c.spec.type not in FLAT]
-    return [cid for cid, spec in objects if spec.placement.position in IN_WAY or not is_static(spec)]
+    cause = getattr(structure.ego.spec, "react_to", None)
+    evaded = cause if parked_in_way(structure, cause) else None
+    return [i for i, o in objects if o.placement.position in IN_WAY or not is_static(o) or i == evaded]
 
 
 def standing(structure: Structure, lane_of: dict[str, int | None]) -> str | None:

@@ -12,6 +12,7 @@ from c2s_engine.write.typed.overtakings import pulls_out
 from c2s_engine.write.typed.passing import FOLLOWS
 from c2s_engine.write.typed.people import REACTS, comes_out
 from c2s_engine.write.typed.reach import EVADED_AT
+from c2s_engine.write.typed.stations import parked_in_way
 from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, WORKS, is_static, is_vehicle
 from c2s_engine.write.typed.threats import (
     ASIDE,
@@ -140,6 +141,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return ""
     if phase.action == "cut_in":
         return _at_gap(course, phase, first)
+    if phase.action in ("overtake", "swerve") and parked_in_way(a.structure, phase.target):
+        return _before(course, phase.target)
     if phase.action == "overtake" and (
         course.oncoming_both(phase) or course.lane is not None and course.same_lane(phase)
     ):

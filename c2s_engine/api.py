@@ -10,7 +10,7 @@ from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits, PlacesR
 from c2s_engine.config import Settings
 from c2s_engine.maps.library import SHIPPED, MapFile, MapLibrary, MapNotFound
 from c2s_engine.session.places import DEFAULT_MAP
-from c2s_engine.session.steps import Tools
+from c2s_engine.session.steps import Tools, silent
 from c2s_engine.structure.components import ComponentId, Structure, Unmet
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.edits import Edit, apply
@@ -298,6 +298,13 @@ class Engine:
         async with aclosing(contradictions(structure, self.tools, map_name=map, room=room, seed=seed)) as found:
             async for offer in found:
                 yield offer
+
+    async def read(self, text: str) -> Structure:
+        """S of a text as the usual method reads it, without the planner; a model that is served is not asked: then it
+        is the embedded interpreter's. Raises Unreadable."""
+        from c2s_engine.session.methods import reading_method
+
+        return await reading_method(self.tools).read(text, silent)
 
     async def without_effect(
         self, text: str, upon: Structure | None = None, read_so: Structure | None = None

@@ -10,9 +10,10 @@ from rich.table import Table
 from rich.text import Text
 
 from c2s_engine.commands import show
-from c2s_engine.commands.console import OK, dump, err, out, sentences, work
+from c2s_engine.commands.console import OK, InputError, dump, err, out, sentences, work
 from c2s_engine.commands.reading import read_program, read_text
 from c2s_engine.structure.account import account
+from c2s_engine.structure.components import Structure, Unmet
 
 if TYPE_CHECKING:
     from c2s_engine.api import Engine
@@ -25,34 +26,52 @@ def interpret(
     text: Annotated[str | None, typer.Argument(help="The description, or - for standard input.")] = None,
     file: Annotated[Path | None, typer.Option("--file", "-f", help="Read it from a .txt, .md or .pdf file.")] = None,
     explain: Annotated[bool, typer.Option("--explain", help="Show each stage's result with its spans.")] = False,
+    method: Annotated[str | None, typer.Option(help="Who reads it: reader or embedded.")] = None,
     as_json: Json = False,
 ) -> None:
-    """Interpret a description without a model: what S it gives, and why."""
+    """Interpret a description: what S it gives, and why. No program is written."""
     with sentences(as_json):
         from c2s_engine.api import Engine
-        from c2s_engine.interpret import EmbeddedInterpreter
+        from c2s_engine.config import load_settings
 
+        if method not in (None, "reader", "embedded"):
+            raise InputError(f"{method} does not read a text alone: choose reader or embedded, or use c2s generate.")
         description = read_text(text, file)
+        settings = load_settings()
+        engine = Engine(settings.model_copy(update={"method": method or settings.method}))
         reading = f"reading {len(description):,} characters"
         with err.status(reading) if err.is_terminal and not as_json else nullcontext():
-            found = EmbeddedInterpreter().interpret(description)
-            idle = asyncio.run(Engine().without_effect(description))
+            structure, idle = asyncio.run(_read(engine, description))
+            stages = _stages(description) if explain or as_json else {}
     if as_json:
-        told = [c.model_dump(mode="json") for c in account(found.structure, idle)]
-        dump({"structure": found.structure.model_dump(mode="json"), "account": told, "stages": found.stages,
+        told = [c.model_dump(mode="json") for c in account(structure, idle)]
+        dump({"structure": structure.model_dump(mode="json"), "account": told, "stages": stages,
               "without_effect": [u.model_dump(mode="json") for u in idle]})  # fmt: skip
         raise typer.Exit(OK)
     if explain:
-        for stage, results in found.stages.items():
+        for stage, results in stages.items():
             out.print(Text(stage, style="bold"))
             table = Table(show_header=False, box=None, pad_edge=False)
             for entry in results:
                 table.add_row("  ", Text(", ".join(f"{k}: {v}" for k, v in entry.items())))
             out.print(table)
-    show.structure(found.structure)
+    show.structure(structure)
     show.without_effect(idle)
-    for c in found.structure.components:
+    for c in structure.components:
         out.print(Text(f"{c.id} {c.spec.model_dump_json(exclude_defaults=True)}", style="dim"))
+
+
+async def _read(engine: "Engine", text: str) -> tuple[Structure, tuple[Unmet, ...]]:
+    """S of a text, and the phrases of it that make no difference."""
+    structure = await engine.read(text)
+    return structure, await engine.without_effect(text, read_so=structure)
+
+
+def _stages(text: str) -> dict[str, list[dict[str, Any]]]:
+    """What each stage of the embedded interpreter found, by which the account is made, whoever reads the text."""
+    from c2s_engine.interpret import EmbeddedInterpreter
+
+    return EmbeddedInterpreter().interpret(text).stages
 
 
 def import_(

@@ -128,14 +128,12 @@ class Service:
         return await self._work(work)
 
     async def interpret(self, text: Text) -> dict[str, Any]:
-        """Only read a description, without a model: the structure S that it gives, and what became of each clause."""
+        """Only read a description: the structure S that it gives, and what became of each clause."""
 
         async def work() -> dict[str, Any]:
-            from c2s_engine.session.reader import read
-
             words = description(text)
-            found = await read(words, self.engine.tools)
-            return answers.structure(found, await self.engine.without_effect(words))
+            found = await self.engine.read(words)
+            return answers.structure(found, await self.engine.without_effect(words, read_so=found))
 
         return await self._work(work)
 

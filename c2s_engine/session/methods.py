@@ -72,7 +72,7 @@ class EmbeddedMethod:
 
     async def read(self, text: str, emit: Emit) -> Structure:
         """S of a text; raises Unreadable."""
-        return await read(text, self.tools)
+        return (await read(text, self.tools)).model_copy(update={"read_by": self.name})
 
     async def write(
         self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str
@@ -108,7 +108,7 @@ class ReaderMethod(EmbeddedMethod):
             emit(Usage(purpose="read", prompt_tokens=answer.prompt_tokens, answer_tokens=answer.answer_tokens))
         if found.note:
             emit(Say(text=found.note))
-        return with_usual_reaction(found.structure)
+        return with_usual_reaction(found.structure.model_copy(update={"read_by": self.name}))
 
     def account(self, structure: Structure | None) -> dict[str, Any]:
         """The tokens that reading took."""
@@ -120,6 +120,11 @@ async def _warm(tools: Tools) -> None:
     with contextlib.suppress(Exception):
         path = tools.library.working_copy(tools.library.find(SHIPPED))
         await tools.check.places(PlacesRequest(map=str(path), expressions={}))
+
+
+def reading_method(tools: Tools) -> EmbeddedMethod:
+    """The usual method as far as it reads texts without a model that is served."""
+    return ReaderMethod(tools) if tools.settings.method == ReaderMethod.name else EmbeddedMethod(tools)
 
 
 def method_named(name: str, tools: Tools) -> Method:

@@ -77,7 +77,9 @@ def reading(answer: str, found: Understood) -> Structure | None:
         return None
     scene = found.scene
     structure = _with_surroundings(structure_of(components, found.mended.text), found.structure)
-    scene.ids = grounded(scene, structure)
+    theirs, scene.ids = scene.ids, grounded(scene, structure)
+    pairs = [(found.structure[_id(theirs[e])], cid) for e, cid in scene.ids.items() if e in theirs]
+    structure = described(_with_rates(structure, [(own, _id(cid)) for own, cid in pairs]))
     structure = _with_others(scene, _with_untold(found, structure))
     structure = accounted_as_read(scene, structure, found.mended.text)
     for component in structure.components:
@@ -87,10 +89,27 @@ def reading(answer: str, found: Understood) -> Structure | None:
     return found.on_the_text(structure)
 
 
+def _id(name: str) -> str:
+    """The id of the component of whom S calls so."""
+    return "E" if name == "ego" else name
+
+
+def _with_rates(structure: Structure, pairs: list[tuple[Component, str]]) -> Structure:
+    """S with how hard somebody brakes ("hard", "gently") as the interpreter has read it, where the model left that
+    open; `pairs`: the interpreter's components and the ids of the same in S."""
+    for theirs, cid in pairs:
+        rates = {p.action: p.rate for p in getattr(theirs.spec, "phases", ()) if p.rate is not None}
+        phases = getattr(structure[cid].spec, "phases", ())
+        filled = [p.model_copy(update={"rate": rates[p.action]}) if p.rate is None and p.action in rates else p
+                  for p in phases]  # fmt: skip
+        structure = structure.with_spec(cid, phases=tuple(filled))
+    return structure
+
+
 def _with_untold(found: Understood, structure: Structure) -> Structure:
     """S with what the text tells and no spec can say, each with whom it is about."""
     for owner, note in unmet.find(found.scene):
-        cid = owner if isinstance(owner, str) else found.scene.ids.get(owner, "E").replace("ego", "E")
+        cid = owner if isinstance(owner, str) else _id(found.scene.ids.get(owner, "E"))
         component = structure[cid]
         structure = structure.with_component(component.model_copy(update={"unmet": (*component.unmet, note)}))
     return structure

@@ -18,7 +18,7 @@ from c2s_engine.interpret.learned.quantities import si
 from c2s_engine.interpret.learned.reader import NOT_USED, structure_of
 from c2s_engine.structure.account import account
 from c2s_engine.structure.progress import Finished
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, SettingsSpec
 
 TEXT = "Ego drives at 50 km/h in the rain. A child runs out from behind a parked van on the right 20 m ahead."
 ANSWER = """G: time=night
@@ -84,6 +84,20 @@ def test_a_text_is_asked_on_one_line_and_its_weather_is_read_by_rule():
     found = reading(ANSWER, understood(TEXT))
     assert found is not None and found.settings.spec.weather == ("rain",)
     assert [o.spec.name for o in found.objects] == ["van", "child"]
+
+
+def test_what_the_model_leaves_to_the_interpreter_and_what_not():
+    text = "At dusk in the rain ego drives up to a red light. The light turns green after 4 s. A van ahead brakes hard."
+    answer = """G: time=night light=red ; to=green @time value=4s
+R: intersection control=signal
+E: car speed=0
+O1: van at=ahead ; brake"""
+    found = reading(answer, understood(text))
+    assert found is not None and found.settings.spec == SettingsSpec(
+        weather=("rain",), time="night", light="red", light_changes=({"to": "green", "when": {"kind": "time", "value": 4}},)
+    )  # fmt: skip
+    braking = found["O1"].spec.phases[0]
+    assert braking.action == "brake" and braking.rate == 6.0, "hard, by the interpreter"
 
 
 ACCOUNTS = yaml.safe_load((Path(__file__).parent / "accounts.yaml").read_text(encoding="utf-8"))

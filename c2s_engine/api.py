@@ -1,7 +1,7 @@
 """The facade that the command line, the app and the benchmark use. Imports neither torch, lancedb nor scenic."""
 
 import time
-from collections.abc import AsyncGenerator, Sequence
+from collections.abc import AsyncGenerator, Callable, Sequence
 from contextlib import aclosing, suppress
 from typing import TYPE_CHECKING, Any
 
@@ -299,12 +299,12 @@ class Engine:
             async for offer in found:
                 yield offer
 
-    async def read(self, text: str) -> Structure:
+    async def read(self, text: str, emit: Callable[[Progress], None] = silent) -> Structure:
         """S of a text as the usual method reads it, without the planner; a model that is served is not asked: then it
-        is the embedded interpreter's. Raises Unreadable."""
+        is the embedded interpreter's. `emit` gets what is to be said of it. Raises Unreadable."""
         from c2s_engine.session.methods import reading_method
 
-        return await reading_method(self.tools).read(text, silent)
+        return await reading_method(self.tools).read(text, emit)
 
     async def without_effect(
         self, text: str, upon: Structure | None = None, read_so: Structure | None = None

@@ -14,6 +14,7 @@ from c2s_engine.commands.console import OK, InputError, dump, err, out, sentence
 from c2s_engine.commands.reading import read_program, read_text
 from c2s_engine.structure.account import account
 from c2s_engine.structure.components import Structure, Unmet
+from c2s_engine.structure.progress import Progress, Say
 
 if TYPE_CHECKING:
     from c2s_engine.api import Engine
@@ -61,9 +62,15 @@ def interpret(
         out.print(Text(f"{c.id} {c.spec.model_dump_json(exclude_defaults=True)}", style="dim"))
 
 
+def said(event: Progress) -> None:
+    """Print what is to be said of a reading."""
+    if isinstance(event, Say):
+        err.print(Text(event.text, style="yellow"))
+
+
 async def _read(engine: "Engine", text: str) -> tuple[Structure, tuple[Unmet, ...]]:
     """S of a text, and the phrases of it that make no difference."""
-    structure = await engine.read(text)
+    structure = await engine.read(text, said)
     return structure, await engine.without_effect(text, read_so=structure)
 
 

@@ -25,6 +25,7 @@ from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.requirements import Requirement, Result, Value
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, SettingsSpec, Trigger
 from c2s_engine.structure.triggers import gives_way_by
+from c2s_engine.structure.vocabulary import VEHICLES
 
 THREATS = ("cut_in", "cross_road", "enter_road", "run_red", "run_stop", "oncoming", "reverse", "drift", "u_turn",
            "lose_control", "stationary", "stop", "brake")  # fmt: skip
@@ -200,8 +201,21 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
     before_ego = [a for a in scene.objects if before_whom(scene.structure, a) == EGO]
     found = [a for a in before_ego if _threatens(scene.objects[a])]
     turns = TURNS if scene.ego.hard else ()  # whoever gives way brakes gently
-    return found or [a for a in before_ego if scene.objects[a].placement.position in APPROACHES
-                     and any(p.action in turns for p in scene.objects[a].phases)]  # fmt: skip
+    comers = [a for a in before_ego if scene.objects[a].placement.position in APPROACHES]
+    met = [a for a in comers if _comes_across(scene, scene.objects[a])]
+    if found or len(met) == 1:  # nobody else can be meant
+        return found or met
+    return [a for a in comers if any(p.action in turns for p in scene.objects[a].phases)]
+
+
+def _comes_across(scene: Scene, spec: ObjectSpec) -> bool:
+    """Whether one drives from the opposite approach over the way by which ego turns left."""
+    if spec.placement.position != "opposite_approach" or spec.speed == 0 or spec.type not in VEHICLES:
+        return False
+    if any(p.action in ("stop", "wait", "stationary", "yield") for p in spec.phases):
+        return False
+    left = scene.place.manoeuvre == "left" or any(p.action == "turn_left" for p in scene.ego.phases)
+    return left and not any(p.action == "turn_left" for p in spec.phases)
 
 
 def _whom(phase: Phase) -> tuple[str | None, ...]:

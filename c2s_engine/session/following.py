@@ -1,6 +1,7 @@
 """What an edit of one field of S leaves another saying that cannot hold any more: it follows, and that is said."""
 
 from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.quantity import Quantity, in_words
 from c2s_engine.structure.sentences import sentence
 from c2s_engine.structure.specs import AnySpec, ObjectSpec, PlaceSpec
 from c2s_engine.structure.vocabulary import TOWARDS_EGO
@@ -16,6 +17,10 @@ def following(before: Structure, after: Structure) -> tuple[Structure, list[str]
         was, spec = before[component.id].spec if component.id in before else None, component.spec
         if not isinstance(was, ObjectSpec) or not isinstance(spec, ObjectSpec) or was.phases != spec.phases:
             continue
+        if spec.speed != was.speed and spec.speed is not None and (slower := _as_fast(was, spec)) is not None:
+            after = _with(after, component, slower)
+            said.append(f"{component.id} ({spec.name}) does at that speed what it did at {_words(was)}.")
+            continue
         old, new = (TOWARDS_EGO.get(s.placement.position) for s in (was, spec))
         phases = tuple(p.model_copy(update={"side": new}) if p.action == "cut_in" and p.side == old else p
                        for p in spec.phases)  # fmt: skip
@@ -29,6 +34,26 @@ def following(before: Structure, after: Structure) -> tuple[Structure, list[str]
         after = _with(after, after.place, place.model_copy(update={"ego_lane": None}))
         said.append(f"R: of {place.lanes} lanes none is the middle one: in which ego drives is left open now.")
     return after, said
+
+
+def _own_speed(spec: ObjectSpec) -> Quantity | None:
+    """The speed of the first thing that somebody does, where that is the only one that S gives."""
+    first = spec.phases[0] if spec.phases else None
+    alone = first is not None and first.speed is not None and all(p.speed is None for p in spec.phases[1:])
+    return first.speed if alone and first is not None and spec.speed in (None, first.speed) else None
+
+
+def _as_fast(was: ObjectSpec, spec: ObjectSpec) -> ObjectSpec | None:
+    """The spec whose first phase goes as fast as is said of the whole now; None where that said something else."""
+    if _own_speed(was) is None:
+        return None
+    first = spec.phases[0].model_copy(update={"speed": None})
+    return spec.model_copy(update={"phases": (first, *spec.phases[1:])})
+
+
+def _words(spec: ObjectSpec) -> str:
+    speed = _own_speed(spec)
+    return "" if speed is None else in_words("speed", speed)
 
 
 def _with(structure: Structure, component: Component, spec: AnySpec) -> Structure:

@@ -107,7 +107,7 @@ class ReaderMethod(EmbeddedMethod):
             self.tokens += answer.prompt_tokens + answer.answer_tokens
             emit(Usage(purpose="read", prompt_tokens=answer.prompt_tokens, answer_tokens=answer.answer_tokens))
         if found.note:
-            emit(Say(text=found.note))
+            emit(Say(text=found.note, severity="warning"))
         return with_usual_reaction(found.structure.model_copy(update={"read_by": self.name}))
 
     def account(self, structure: Structure | None) -> dict[str, Any]:

@@ -7,13 +7,17 @@ from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.structure.values import Field, fields
 
 _ASKS = re.compile(r"(?:and |but |so )?(?:is|are|was|were|has|have)\b", re.I)
+_OF_A_MOMENT = re.compile(
+    r"\b(?:when|while|as (?:it|he|she|ego|the|o\d)|before|after|until|at the (?:time|moment))\b", re.I
+)
+"""What asks of a moment of the run, of which S says nothing."""
 _SAY_NOTHING = ("yes", "no", "none", "other", "left", "right", "both", "any")
 _TYPE = "type"
 
 
 def yes_or_no(question: str, structure: Structure) -> str:
     """The answer where a question names a value that a field of G, R or an object's type can have; else empty."""
-    if not _ASKS.match(question.strip()):
+    if not _ASKS.match(question.strip()) or _OF_A_MOMENT.search(question):
         return ""
     found = [(c, f, value) for c in structure.components for f in _asked_fields(c) for value in f.choices
              if value not in _SAY_NOTHING and _named(value, question, anew=f.path == _TYPE)]  # fmt: skip

@@ -171,7 +171,8 @@ def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator
         yield Unknown(cid, "placement.gap", usual.gaps[cid], least=HEADWAY * usual.speeds.get(cid, 0.0) * follows)
     if isinstance(spec, ObjectSpec) and cid in usual.later and is_open("placement.later", spec.placement.later):
         yield Unknown(cid, "placement.later", usual.later[cid])
-    if cid == "R" and usual.distance and is_open("distance", getattr(spec, "distance", None)):
+    at_line = usual.speeds.get("E") == 0  # where ego stands at first
+    if cid == "R" and usual.distance and not at_line and is_open("distance", getattr(spec, "distance", None)):
         yield Unknown(cid, "distance", usual.distance)
     if cid == "T" and is_open("duration", getattr(spec, "duration", None)) and not getattr(spec, "terminate_when", ()):
         yield Unknown(cid, "duration", usual.duration)

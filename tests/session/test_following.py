@@ -56,3 +56,12 @@ async def test_in_a_session_it_is_said_and_written(engine, tmp_path):
         assert "lanes=2" in session.structure.place.code and session.structure.place.spec.ego_lane is None
     finally:
         session.close()
+
+
+def test_what_somebody_does_is_as_fast_as_is_said_of_it_now():
+    before = scene(Phase(action="lane_change", side="left", speed=15.0), Phase(action="keep_lane"))
+    after, said = following(before, apply(before, SetField(component="O1", path="speed", value=10.0)))
+    assert after["O1"].spec.phases[0].speed is None and after["O1"].spec.speed == 10.0
+    assert said == ["O1 (lorry) does at that speed what it did at 54 km/h."]
+    two = scene(Phase(action="lane_change", side="left", speed=15.0), Phase(action="brake", speed=5.0))
+    assert following(two, apply(two, SetField(component="O1", path="speed", value=10.0)))[1] == []

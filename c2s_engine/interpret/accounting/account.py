@@ -216,7 +216,7 @@ class _AsRead(_Account):
         return self._aside(span, any(w.tag.startswith("VB") for w in words), len(words))
 
     def _left_out(self, spans: list[Span]) -> list[Unmet]:
-        return [n for n in self._unheld() if n.span and not _meets(n.span, self.notes)]
+        return [n for n in self._unheld() if n.span and _meets(n.span, spans) and not _meets(n.span, self.notes)]
 
     def _untold(self, clauses: list[list[Word]], missed: list[Unmet]) -> list[Unmet]:
         return []

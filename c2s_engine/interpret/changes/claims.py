@@ -174,7 +174,7 @@ def _sky(demand: str, spans: Sequence[Span], values: list[Value]) -> list[str]:
 def _acts(demand: str, changed: list[Value], values: list[Value]) -> list[str]:
     """Verbs of acts that nobody does, nor is waited for, nor is bounded, nor an answer of ego."""
     main = re.sub(language.table("refine")["told"]["meanwhile"], " ", demand)
-    if DENIES.search(main) or any(path.startswith("T.") for path, _ in changed):
+    if DENIES.search(main) or any(path.startswith(("T.", "G.light_changes")) for path, _ in changed):
         return []
     held = {v for _, v in values if isinstance(v, str)}
     found = []

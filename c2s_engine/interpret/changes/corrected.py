@@ -11,6 +11,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import put
+from c2s_engine.interpret.changes.chosen import meant_by
 from c2s_engine.interpret.changes.meant import called
 from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
 from c2s_engine.interpret.reading import scan
@@ -62,7 +63,7 @@ def corrected(plain: str, structure: Structure, last: Last) -> Again | None:
     for form, said_anew in ((table["value"], _valued), (_opposite(), _turned), (table["type"], _typed)):
         if (match := re.fullmatch(form, what)) and (text := said_anew(match, before)):
             return Again(text, last.before)
-    meant = _named(what, last.before)
+    meant = _named(what, last.before) or _told_apart(what, structure, last)
     return _of_another(before, [meant], structure, last, upon) if meant is not None else None
 
 
@@ -72,6 +73,14 @@ def _named(what: str, structure: Structure) -> Component | None:
     spans = [s for s in scan.names(name) if s.kind in ("actor", "ego")]
     whole = re.fullmatch(r"o\d", name) or spans and re.fullmatch(r"(?:the )?", name[: spans[0].start])
     return refer(name, structure, alone=False) if whole and (not spans or spans[0].end == len(name)) else None
+
+
+def _told_apart(what: str, structure: Structure, last: Last) -> Component | None:
+    """ "The red one": of those of the type of whom the last turn changed, the one whom the text calls so."""
+    types = {spec_of(c).type for c in _touched(structure, last) if c.id != "E"}
+    alike = [c for c in last.before.objects if spec_of(c).type in types]
+    found = meant_by(what[:-3], alike, last.before.text) if re.fullmatch(r"the [\w-]+(?: [\w-]+)? one", what) else []
+    return found[0] if len(found) == 1 else None
 
 
 def _touched(structure: Structure, last: Last) -> list[Component]:

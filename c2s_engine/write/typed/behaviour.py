@@ -159,7 +159,10 @@ def _red(actor: Actor) -> bool:
 
 
 def _at_the_line(phases: list[Phase], red: bool) -> list[Phase]:
-    """The phases of one who stops before the junction for its light, or and then goes over it: where that stop is."""
+    """The phases of one who stops before the junction for its light, or and then goes over it: where that stop is. Who
+    only waits for a red light goes on as that turns green."""
+    if red and phases and _just_waits(phases[-1]):
+        return [*phases, Phase(action="start", trigger=Trigger(kind="light", light="green"))]
     if red and len(phases) == 1 and phases[0].action == "stop" and phases[0].trigger is None:
         return [phases[0].model_copy(update={"trigger": AT_LINE})]
     if red and [p.action for p in phases[:2]] == ["stop", "start"] and phases[0].trigger is None:

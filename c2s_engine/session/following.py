@@ -3,7 +3,7 @@
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import Quantity, in_words
 from c2s_engine.structure.sentences import sentence
-from c2s_engine.structure.specs import AnySpec, ObjectSpec, PlaceSpec
+from c2s_engine.structure.specs import AnySpec, EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.structure.vocabulary import TOWARDS_EGO
 
 WITH_A_MIDDLE = 3
@@ -27,6 +27,12 @@ def following(before: Structure, after: Structure) -> tuple[Structure, list[str]
         if old and new and phases != spec.phases:
             after = _with(after, component, spec.model_copy(update={"phases": phases}))
             said.append(f"{component.id} ({spec.name}) cuts in to the {new} from there.")
+    own, ego = before.ego.spec, after.ego.spec
+    assert isinstance(own, EgoSpec) and isinstance(ego, EgoSpec)
+    gives_up = own.reaction == "yield" and ego.reaction == "none" and own.phases == ego.phases
+    if gives_up and (kept := _without_yielding(ego)) != ego.phases:
+        after = _with(after, after.ego, ego.model_copy(update={"phases": kept}))
+        said.append("Ego gives way to nobody any more: that is no phase of it now.")
     was, place = before.place.spec, after.place.spec
     assert isinstance(was, PlaceSpec) and isinstance(place, PlaceSpec)
     too_few = place.lanes is not None and place.lanes < WITH_A_MIDDLE and place.lanes != was.lanes
@@ -34,6 +40,16 @@ def following(before: Structure, after: Structure) -> tuple[Structure, list[str]
         after = _with(after, after.place, place.model_copy(update={"ego_lane": None}))
         said.append(f"R: of {place.lanes} lanes none is the middle one: in which ego drives is left open now.")
     return after, said
+
+
+def _without_yielding(ego: EgoSpec) -> tuple[Phase, ...]:
+    """Ego's phases without giving way, and without setting out once the other has passed."""
+    kept: list[Phase] = []
+    for i, phase in enumerate(ego.phases):
+        after_it = i > 0 and ego.phases[i - 1].action == "yield" and phase.action == "start"
+        if phase.action != "yield" and not after_it:
+            kept.append(phase)
+    return tuple(kept)
 
 
 def _own_speed(spec: ObjectSpec) -> Quantity | None:

@@ -7,7 +7,7 @@ from c2s_engine.session.sessions import Sessions
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import SetField, apply
 from c2s_engine.structure.progress import Say
-from c2s_engine.structure.specs import ObjectSpec, Phase, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 
 
 def scene(*phases, **place):
@@ -65,3 +65,11 @@ def test_what_somebody_does_is_as_fast_as_is_said_of_it_now():
     assert said == ["O1 (lorry) does at that speed what it did at 54 km/h."]
     two = scene(Phase(action="lane_change", side="left", speed=15.0), Phase(action="brake", speed=5.0))
     assert following(two, apply(two, SetField(component="O1", path="speed", value=10.0)))[1] == []
+
+
+def test_who_gives_way_no_more_has_no_phase_of_giving_way():
+    ego = EgoSpec(speed=8.0, reaction="yield", react_to="O1", phases=(
+        Phase(action="yield", target="O1"), Phase(action="start"), Phase(action="turn_left")))  # fmt: skip
+    before = scene().with_component(Component(id="E", spec=ego))
+    after, said = following(before, apply(before, SetField(component="E", path="reaction", value="none")))
+    assert [p.action for p in after.ego.spec.phases] == ["turn_left"] and "gives way to nobody" in said[0]

@@ -36,6 +36,8 @@ UNSURE = 0.95
 """How likely an answer is below which a text is the worse read: of 180 texts with S by hand, the fifth with the least
 likely answers agreed with that in 54 % of their fields (F1), the fifth with the likeliest in 81 %."""
 CHECK = "The learned reader is not sure of this text: compare S with it."
+PLAIN = ("road", "straight")
+"""Kinds of place by which nothing more is said than that there is a road."""
 INSTEAD = "{}: the embedded interpreter read the text instead."
 _LENGTHS = ("gap", "spacing", "distance", "lateral", "clearance")
 _UNITS = {**dict.fromkeys(_LENGTHS, "m"), "speed": "m/s", "rate": "m/s2", "duration": "s", "delay": "s", "arrives": "s"}
@@ -139,14 +141,15 @@ def _with_surroundings(structure: Structure, theirs: Structure) -> Structure:
     place, other = structure.place.spec, theirs.place.spec
     assert isinstance(place, PlaceSpec) and isinstance(other, PlaceSpec)
     more: dict[str, Any] = {}
-    if place.kind == other.kind or {place.kind, other.kind} == {"road", "straight"}:
+    if place.kind == other.kind or place.kind in PLAIN and other.kind in ("curve", *PLAIN):
         fields = (name for name in PlaceSpec.model_fields if name not in ("component", "kind"))
         more = {name: getattr(other, name) for name in fields if getattr(place, name) is None}
         more["kind"] = other.kind if place.kind == "road" else place.kind
     filled = structure.place.model_copy(update={"spec": place.model_copy(update=more)})
     own, read = structure.settings.spec, theirs.settings.spec
     assert isinstance(own, SettingsSpec) and isinstance(read, SettingsSpec)
-    told = {"time": own.time, "light": own.light, "light_changes": own.light_changes or read.light_changes}
+    dark = read.time if read.time != "day" else None
+    told = {"time": own.time or dark, "light": own.light, "light_changes": own.light_changes or read.light_changes}
     spec = read.model_copy(update={**told, "weather": read.weather or own.weather})
     settings = structure.settings.model_copy(update={"spec": spec})
     return described(structure.with_component(filled).with_component(settings))

@@ -100,6 +100,12 @@ O1: van at=ahead ; brake"""
     assert braking.action == "brake" and braking.rate == 6.0, "hard, by the interpreter"
 
 
+def test_night_and_a_bend_that_the_model_passes_over_are_the_interpreter_s():
+    found = reading("R: road\nE: car ; brake", understood("Last night ego braked in a left-hand bend."))
+    assert found is not None and found.settings.spec.time == "night"
+    assert (found.place.spec.kind, found.place.spec.curve) == ("curve", "left")
+
+
 ACCOUNTS = yaml.safe_load((Path(__file__).parent / "accounts.yaml").read_text(encoding="utf-8"))
 
 

@@ -36,8 +36,8 @@ UNSURE = 0.95
 """How likely an answer is below which a text is the worse read: of 180 texts with S by hand, the fifth with the least
 likely answers agreed with that in 54 % of their fields (F1), the fifth with the likeliest in 81 %."""
 CHECK = "The learned reader is not sure of this text: compare S with it."
-PLAIN = ("road", "straight")
-"""Kinds of place by which nothing more is said than that there is a road."""
+ALIKE = (("road", "straight"), ("straight", "road"), ("road", "curve"))
+"""Kinds of place, the model's and the interpreter's, that can both be meant: the more special one is."""
 INSTEAD = "{}: the embedded interpreter read the text instead."
 _LENGTHS = ("gap", "spacing", "distance", "lateral", "clearance")
 _UNITS = {**dict.fromkeys(_LENGTHS, "m"), "speed": "m/s", "rate": "m/s2", "duration": "s", "delay": "s", "arrives": "s"}
@@ -141,7 +141,7 @@ def _with_surroundings(structure: Structure, theirs: Structure) -> Structure:
     place, other = structure.place.spec, theirs.place.spec
     assert isinstance(place, PlaceSpec) and isinstance(other, PlaceSpec)
     more: dict[str, Any] = {}
-    if place.kind == other.kind or place.kind in PLAIN and other.kind in ("curve", *PLAIN):
+    if (place.kind, other.kind) in ALIKE or place.kind == other.kind:
         fields = (name for name in PlaceSpec.model_fields if name not in ("component", "kind"))
         more = {name: getattr(other, name) for name in fields if getattr(place, name) is None}
         more["kind"] = other.kind if place.kind == "road" else place.kind

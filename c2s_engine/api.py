@@ -304,7 +304,8 @@ class Engine:
         is the embedded interpreter's. `emit` gets what is to be said of it. Raises Unreadable."""
         from c2s_engine.session.methods import reading_method
 
-        return await reading_method(self.tools).read(text, emit)
+        method = reading_method(self.tools)
+        return (await method.read(text, emit)).model_copy(update={"read_by": method.name})
 
     async def without_effect(
         self, text: str, upon: Structure | None = None, read_so: Structure | None = None

@@ -72,7 +72,7 @@ class EmbeddedMethod:
 
     async def read(self, text: str, emit: Emit) -> Structure:
         """S of a text; raises Unreadable."""
-        return (await read(text, self.tools)).model_copy(update={"read_by": self.name})
+        return await read(text, self.tools)
 
     async def write(
         self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str
@@ -108,7 +108,7 @@ class ReaderMethod(EmbeddedMethod):
             emit(Usage(purpose="read", prompt_tokens=answer.prompt_tokens, answer_tokens=answer.answer_tokens))
         if found.note:
             emit(Say(text=found.note, severity="warning"))
-        return with_usual_reaction(found.structure.model_copy(update={"read_by": self.name}))
+        return with_usual_reaction(found.structure)
 
     def account(self, structure: Structure | None) -> dict[str, Any]:
         """The tokens that reading took."""

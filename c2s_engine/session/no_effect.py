@@ -31,11 +31,17 @@ Span = tuple[int, int]
 async def without_effect(text: str, tools: Tools, read_so: Structure | None = None) -> tuple[Unmet, ...]:
     """The phrases without which the embedded interpreter reads the same S, in the order of the text; what is within
     such a phrase, or was named as lost, is not named again. Where a model has read the text (`read_so`), those of them,
-    and of what the interpreter does not understand, of which no word is in what that S says. Raises Unreadable where
-    the text cannot be read."""
-    own = await read(text, tools)
+    and of what the interpreter does not understand, of which no word is in what that S says; none where only the model
+    could read it. Raises Unreadable where the text cannot be read."""
+    by_model = read_so is not None and read_so.read_by not in ("", "embedded")
+    try:
+        own = await read(text, tools)
+    except Unreadable:
+        if by_model:
+            return ()
+        raise
     found = await _without(text, (await phrases(text, tools, own.clauses))[:MOST], own, tools)
-    if read_so is None or read_so.read_by in ("", "embedded"):
+    if read_so is None or not by_model:
         return _notes(text, found, REASON)
     known = [u.span for u in _lost(read_so) if u.span]
     missed = [*found, *(u.span for u in own.not_understood if u.span)]
@@ -63,9 +69,7 @@ def _within(span: Span, others: Sequence[Span]) -> bool:
     return any(a <= span[0] and span[1] <= b for a, b in others)
 
 
-async def _without(
-    text: str, parts: Sequence[tuple[Span, str]], structure: Structure, tools: Tools
-) -> list[Span]:
+async def _without(text: str, parts: Sequence[tuple[Span, str]], structure: Structure, tools: Tools) -> list[Span]:
     """The spans of those phrases without which a text is read as the same S."""
     meant, known = _meant(structure), [u.span for u in _lost(structure) if u.span]
     found: list[Span] = []

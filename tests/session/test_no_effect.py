@@ -52,6 +52,13 @@ async def test_of_what_a_model_has_read_those_phrases_are_named_that_nothing_in_
     assert [u.text for u in await engine.without_effect(text, read_so=read_so)] == ["without indicating"]
 
 
+async def test_of_a_text_that_only_a_model_can_read_nothing_is_said(engine):
+    text = "Ein Auto bremst vor uns."
+    assert await engine.without_effect(text, read_so=Structure(text=text, read_by="typed")) == ()
+    with pytest.raises(Unreadable):
+        await engine.without_effect(text, read_so=Structure(text=text, read_by="embedded"))
+
+
 CHANGES = [
     ("make the van a truck with a nice driver", ["with a nice driver"]),
     ("the van drives 80 km/h", []),

@@ -5,7 +5,8 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from c2s_engine.interpret.accounting.links import STATES, field_of
-from c2s_engine.interpret.entities import PERSONS, VEHICLES, Entity, fits
+from c2s_engine.interpret.entities import Entity, fits
+from c2s_engine.interpret.llm.words import family
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import ends
@@ -45,7 +46,7 @@ def _likeness(scene: Scene, entity: Entity, component: Component, apart: float) 
         score = SAME
     elif fits(entity, spec.type):
         score = FITS
-    elif _family(entity.type) == _family(spec.type):
+    elif family(entity.type) == family(spec.type):
         score = KIN
     else:
         return NEVER
@@ -55,7 +56,3 @@ def _likeness(scene: Scene, entity: Entity, component: Component, apart: float) 
     if told is not None and held is not None:
         score += SPEED * (held[0] <= told[1] + 0.1 and told[0] - 0.1 <= held[1])
     return score + KEPT * (entity in scene.actors) + COUNT * (entity.count == spec.count) - ORDER * apart
-
-
-def _family(kind: str) -> str:
-    return "person" if kind in PERSONS else "vehicle" if kind in VEHICLES else "thing"

@@ -80,13 +80,9 @@ class Embedded:
 
 def _likeness(kind: str, sentence: str, other: Component) -> float:
     spec = object_spec(other)
-    same = 2.0 if spec.type == kind else 1.0 if _family(spec.type) == _family(kind) else 0.0
+    same = 2.0 if spec.type == kind else 1.0 if words.family(spec.type) == words.family(kind) else 0.0
     mine, theirs = (set(re.findall(r"[a-z]{4,}", s.lower())) for s in (sentence, other.description))
     return same + len(mine & theirs) / (1 + len(mine | theirs)) if same else 0.0
-
-
-def _family(kind: str) -> str:
-    return "person" if kind in words.PERSONS else "thing" if words.is_thing(kind) else "vehicle"
 
 
 def renumbered(spec: AnySpec, ids: dict[str, str]) -> AnySpec:

@@ -55,6 +55,11 @@ def is_thing(object_type: str) -> bool:
     return object_type not in DRIVERS | PERSONS
 
 
+def family(object_type: str) -> str:
+    """What kind of road user a type is: a person, a vehicle, or a thing."""
+    return "person" if object_type in PERSONS else "thing" if is_thing(object_type) else "vehicle"
+
+
 def all_actions() -> list[str]:
     """Every action's name."""
     return list(vocabulary()["actions"])

@@ -16,7 +16,7 @@ import torch
 from torch import nn
 
 from c2s_bench.reading.pairs import Pair, pairs, silver
-from c2s_engine.interpret.learned.reader import END
+from c2s_engine.interpret.learned.decoder import END
 
 FILE = "SmolLM2-135M-Instruct.Q4_1.gguf"
 LAYERS = {"q_proj": "attn_q", "k_proj": "attn_k", "v_proj": "attn_v", "o_proj": "attn_output", "gate_proj": "ffn_gate",

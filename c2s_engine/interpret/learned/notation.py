@@ -6,16 +6,20 @@
     O1: van at=parked side=right speed=0 ; stationary
     O2: child at=roadside side=right hidden_by=O1 pace=run ; cross_road @distance of=ego value=20m
     T: end collision subject=ego other=O2 ; duration=20s
+    X: with its hazard lights on | without looking
 
-Steps are parted by `;`, a trigger begins with `@`, what ends a phase with `^`. Quantities keep the text's units.
+Steps are parted by `;`, a trigger begins with `@`, what ends a phase with `^`. Quantities keep the text's units. The
+last line has the phrases of the text that no component says ("none": there are none).
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 PLACEMENT = ("of", "along", "side", "gap", "lanes_over", "lateral", "arrives", "hidden_by", "facing")
 WHOLE = ("arms", "lanes", "lanes_over", "count")
 FLAGS = ("oncoming", "shoulder", "sidewalk", "crosswalk")
+LEFT_OUT, NONE, BETWEEN = "X:", "none", " | "
+"""What the line of phrases that no component says begins with; what it says where there are none; what parts them."""
 PARTS = {"require": "require", "limit": "limits", "end": "terminate_when"}
 """The words of T's steps, and the fields that they fill."""
 
@@ -43,6 +47,17 @@ def parse(text: str) -> Components:
             case "O" if cid[1:].isdigit():
                 found[cid] = _object(steps)
     return found
+
+
+def left_out(text: str) -> tuple[str, ...]:
+    """The phrases that an answer in short notation says to be in no component."""
+    said = next((li for li in text.splitlines() if li.startswith(LEFT_OUT)), LEFT_OUT).removeprefix(LEFT_OUT).strip()
+    return tuple(filter(None, map(str.strip, said.split(BETWEEN.strip())))) if said != NONE else ()
+
+
+def with_left_out(said: str, phrases: Sequence[str]) -> str:
+    """S in short notation with those phrases of the text."""
+    return f"{said}\n{LEFT_OUT} {BETWEEN.join(phrases) or NONE}"
 
 
 def _settings(steps: list[list[str]]) -> dict[str, Any]:

@@ -5,6 +5,8 @@ no defaults, no planner's numbers. The weather, what it leaves out of the road, 
 from the embedded interpreter, which reads the whole text where the model cannot.
 """
 
+import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,27 +17,30 @@ from c2s_engine.interpret.accounting import accounted_as_read
 from c2s_engine.interpret.composing import unmet
 from c2s_engine.interpret.embedded import Understood, faults, understood
 from c2s_engine.interpret.entities import fits
+from c2s_engine.interpret.learned.certainty import CERTAIN, certainties
 from c2s_engine.interpret.learned.decoder import Answer, ReaderError, loaded
 from c2s_engine.interpret.learned.grounding import grounded
-from c2s_engine.interpret.learned.notation import Components, parse
+from c2s_engine.interpret.learned.notation import Components, left_out, parse
 from c2s_engine.interpret.learned.quantities import si, unit_of
 from c2s_engine.interpret.llm import fallback
 from c2s_engine.interpret.llm.components import link
 from c2s_engine.interpret.scene import Scene
-from c2s_engine.structure.components import Component, Structure, Unmet
+from c2s_engine.structure.account import is_set
+from c2s_engine.structure.components import Assumption, Component, Structure, Unmet, field_words
 from c2s_engine.structure.edits import SPEC_ADAPTER
+from c2s_engine.structure.leaves import value_at
 from c2s_engine.structure.sentences import described
 from c2s_engine.structure.specs import SPEC_OF, AnySpec, ObjectSpec, PlaceSpec, SettingsSpec
+from c2s_engine.structure.values import value_in_words
 
 MOST_WORDS = 80
 """Words of the longest texts that it was trained on, but for one in a hundred."""
 NOT_USED = "the learned reader's words for it fit no field"
 TOO_LONG = f"The text has more than the {MOST_WORDS} words that the learned reader can read"
 NO_SCENARIO = "The learned reader's answer is no scenario"
-UNSURE = 0.95
-"""How likely an answer is below which a text is the worse read: of 180 texts with S by hand, the fifth with the least
-likely answers agreed with that in 54 % of their fields (F1), the fifth with the likeliest in 81 %."""
-CHECK = "The learned reader is not sure of this text: compare S with it."
+CHECK = "The learned reader is not sure of {}: compare that with the text."
+GUESSED = "the learned reader is {:.0%} sure of it"
+PASSED_OVER = "no field of S says it"
 ALIKE = (("road", "straight"), ("straight", "road"), ("road", "curve"))
 """Kinds of place, the model's and the interpreter's, that can both be meant: the more special one is."""
 INSTEAD = "{}: the embedded interpreter read the text instead."
@@ -75,7 +80,22 @@ def learned(text: str) -> Read:
         structure = reading(answer.text, found)
     if structure is None:
         return Read(own, answer, INSTEAD.format(NO_SCENARIO))
-    return Read(structure, answer, CHECK if answer.likely < UNSURE else "")
+    structure, guesses = with_guesses(structure, answer)
+    return Read(structure, answer, CHECK.format(", ".join(guesses)) if guesses else "")
+
+
+def with_guesses(structure: Structure, answer: Answer) -> tuple[Structure, list[str]]:
+    """S, in which the fields that the model was not certain of count as assumed; and these, in words."""
+    said = []
+    for (cid, path), likely in certainties(answer).items():
+        if likely >= CERTAIN or cid not in structure or not is_set(structure[cid].spec, path):
+            continue
+        value = value_in_words(path, value_at(structure[cid].spec, path))
+        note = Assumption(field=path, value=value, reason=GUESSED.format(likely), by="reader")
+        component = structure[cid]
+        structure = structure.with_component(component.model_copy(update={"assumed": (*component.assumed, note)}))
+        said.append(f"{cid}'s {field_words(path)} ({value})")
+    return structure, said
 
 
 def reading(answer: str, found: Understood) -> Structure | None:
@@ -94,7 +114,7 @@ def reading(answer: str, found: Understood) -> Structure | None:
         if component.id in components and not component.links:
             links = link(structure.text, component.description)
             structure = structure.with_component(component.model_copy(update={"links": links}))
-    return found.on_the_text(structure)
+    return _with_left_out(found.on_the_text(structure), left_out(answer))
 
 
 def _id(name: str) -> str:
@@ -121,6 +141,18 @@ def _with_untold(found: Understood, structure: Structure) -> Structure:
         component = structure[cid]
         structure = structure.with_component(component.model_copy(update={"unmet": (*component.unmet, note)}))
     return structure
+
+
+def _with_left_out(structure: Structure, phrases: Sequence[str]) -> Structure:
+    """S with the phrases of its text that the model says to be in no component, where they are not noted yet."""
+    known = [u.span for u in (*structure.not_understood, *structure.background) if u.span]
+    known += [u.span for c in structure.components for u in c.unmet if u.span]
+    notes = []
+    for phrase in phrases:
+        found = re.search(r"\s+".join(map(re.escape, phrase.split())), structure.text, re.IGNORECASE)
+        if found and not any(a < found.end() and found.start() < b for a, b in known):
+            notes.append(Unmet(text=found[0], reason=PASSED_OVER, span=found.span()))
+    return structure.model_copy(update={"not_understood": (*structure.not_understood, *notes)})
 
 
 def _with_others(scene: Scene, structure: Structure) -> Structure:

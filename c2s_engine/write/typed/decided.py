@@ -8,8 +8,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from c2s_engine.structure.components import Assumption, ComponentId, Structure
-from c2s_engine.structure.quantity import Quantity, high, in_words
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec, Spec
+from c2s_engine.structure.quantity import high
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Placement, PlaceSpec, Spec
+from c2s_engine.structure.values import amount, value_in_words
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.planning import make_plan
@@ -58,16 +59,10 @@ def _decided(structure: Structure, written: Structure, plan: Plan, cid: Componen
         size = f"{LENGTH[asked.type]:g} m long, {HEIGHT[asked.type]:g} m high"
         yield Assumption(field="model", value=size, reason=reason, by=BY)
     for path, was, now in differences(asked, spec):
-        reason = "left open: the writer's choice" if was is None else f"written so for {_shown(path, was)}"
+        reason = "left open: the writer's choice" if was is None else f"written so for {value_in_words(path, was)}"
         if was is None and path.endswith("speed") and (pace := _pace(asked, path)):
             reason = f"what {pace.replace('_', ' ')!r} means of a {asked.type.replace('_', ' ')} (data/paces.yaml)"  # type: ignore[union-attr]
-        yield Assumption(field=path, value=_shown(path, now), reason=reason, by=BY, amount=_amount(now))
-
-
-def _amount(value: Any) -> Quantity | None:
-    """A value where it is a number or a range of numbers."""
-    parts = value if isinstance(value, tuple) and len(value) == 2 else (value,)
-    return value if all(isinstance(p, float | int) and not isinstance(p, bool) for p in parts) else None
+        yield Assumption(field=path, value=value_in_words(path, now), reason=reason, by=BY, amount=amount(now))
 
 
 def _placed(spec: ObjectSpec, plan: Plan) -> Placement:
@@ -105,18 +100,3 @@ def differences(asked: Spec, written: Spec, path: str = "") -> Iterator[tuple[st
                 yield from differences(one, two, f"{path}phases.{i}.")
         else:
             yield f"{path}{name}", was, now
-
-
-def _shown(path: str, value: Any) -> str:
-    """A field's value in the user's units."""
-    if isinstance(value, tuple):
-        if all(isinstance(v, Phase) for v in value):
-            return ", ".join(v.action for v in value) or "no phase"
-        return in_words(path, value) if _amount(value) is not None else ", ".join(_shown(path, v) for v in value)
-    if isinstance(value, bool) or value is None:
-        return {True: "yes", False: "no", None: "nothing"}[value]
-    if isinstance(value, float | int):
-        return in_words(path, value)
-    if isinstance(value, Spec):
-        return ", ".join(f"{k} {_shown(k, getattr(value, k))}" for k in type(value).model_fields if getattr(value, k))
-    return str(value).replace("_", " ")

@@ -6,14 +6,16 @@ interpreter reads without a fault of the fresh descriptions that were worked on 
 
 import random
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import yaml
 
 from c2s_bench.reading.scenes import FOLDER, scenes
-from c2s_engine.interpret.learned.notation import short
+from c2s_engine.interpret.learned.notation import LEFT_OUT, short, with_left_out
 
 Pair = tuple[str, str]
+"""A text, and what is answered to it. Where nobody noted what S leaves out, the answer breaks off before that line's
+phrases, and what would follow is not learned."""
 
 _SIDES = {
     one + end: other + end
@@ -26,15 +28,16 @@ NOT_MIRRORED = re.compile(rf"\b({'|'.join(_NOT)})\b", re.I)
 _NUMBER = re.compile(r"=(\d+)(?:km/h|mph|m|s|ft)(?=[ ,\n;]|$)")
 
 
-def pairs(seed: int = 5) -> list[Pair]:
-    """All that is trained on but the silver."""
-    rng, found = random.Random(seed), [p for text, said in judged() for p in variants(text, said, random.Random(seed))]
+def pairs(writers: Sequence[str] = (), seed: int = 5) -> list[Pair]:
+    """All that is trained on but the silver; with `writers`, their scenes alone."""
+    rng = random.Random(seed)
+    found = [] if writers else [p for text, said in judged() for p in variants(text, said, random.Random(seed))]
     for scene in scenes():
-        if scene.held:
+        if scene.held or writers and scene.writer not in writers:
             continue
         said = short(scene.components)
-        for text in scene.texts:
-            found += variants(_flat(text), said, rng)
+        for text, lost in zip(scene.texts, scene.lost or [None] * len(scene.texts), strict=True):
+            found += variants(_flat(text), said, rng, lost)
     return found
 
 
@@ -50,15 +53,16 @@ def judged() -> Iterator[Pair]:
             yield _flat(row["text"]), short(with_units(structure, row["text"]))
 
 
-def variants(text: str, said: str, rng: random.Random) -> Iterator[Pair]:
-    """A pair and its variants."""
+def variants(text: str, said: str, rng: random.Random, lost: Sequence[str] | None = None) -> Iterator[Pair]:
+    """A pair and its variants; `lost`: the phrases of the text that S leaves out, where they were noted."""
+    said = f"{said}\n{LEFT_OUT}" if lost is None else with_left_out(said, lost)
     yield text, said
     mirrored = mirror(text, said)
     if mirrored:
         yield mirrored
-    if rng.random() < 0.6:
+    if rng.random() < 0.6 and not any(c.isdigit() for phrase in lost or () for c in phrase):
         yield from filter(None, [other_numbers(*(mirrored if mirrored and rng.random() < 0.5 else (text, said)), rng)])
-    if rng.random() < 0.15:
+    if rng.random() < 0.15 and not lost:
         yield sloppy(text, rng), said
 
 
@@ -71,7 +75,8 @@ def mirror(text: str, said: str) -> Pair | None:
         word = _SIDES[match[0].lower()]
         return word.upper() if match[0].isupper() else word.capitalize() if match[0][:1].isupper() else word
 
-    return _SIDE.sub(other, text), re.sub("left|right", lambda m: _SIDES[m[0]], said)
+    said, line, lost = said.partition(f"\n{LEFT_OUT}")  # the phrases are the text's words, not S's
+    return _SIDE.sub(other, text), re.sub("left|right", lambda m: _SIDES[m[0]], said) + line + _SIDE.sub(other, lost)
 
 
 def other_numbers(text: str, said: str, rng: random.Random) -> Pair | None:
@@ -121,7 +126,7 @@ def silver() -> Iterator[Pair]:
                 continue  # only counted
             structure = interpreter.interpret(row["text"]).structure
             if all(v.holds for v in judge(structure, row["expect"])):
-                yield _flat(row["text"]), short(with_units(structure, row["text"]))
+                yield _flat(row["text"]), f"{short(with_units(structure, row['text']))}\n{LEFT_OUT}"
 
 
 def _flat(text: str) -> str:

@@ -1,8 +1,9 @@
 """`python -m c2s_bench.reading.train MODEL_FOLDER OUT`: fine-tune SmolLM2-135M (its GGUF) into the learned reader.
 
 A LoRA adapter over all linear layers, loss on the answer alone, bf16; OUT/reader.gguf is written for llama.cpp and
-Ollama. A GPU is wanted: 21,941 pairs took 0.25 s a step of 64 pairs on one H100. Needs, besides torch and transformers,
-the packages accelerate and gguf, which c2s itself does not.
+Ollama. 64 pairs took 0.25 s on one H100, 45 s on one core. --start goes on from an adapter, with --writers on their
+texts and as many --replay of the others. Needs, besides torch and transformers, the packages accelerate and gguf, which
+c2s itself does not.
 """
 
 import argparse
@@ -17,11 +18,14 @@ from torch import nn
 
 from c2s_bench.reading.pairs import Pair, pairs, silver
 from c2s_engine.interpret.learned.decoder import END
+from c2s_engine.interpret.learned.notation import LEFT_OUT
 
 FILE = "SmolLM2-135M-Instruct.Q4_1.gguf"
 LAYERS = {"q_proj": "attn_q", "k_proj": "attn_k", "v_proj": "attn_v", "o_proj": "attn_output", "gate_proj": "ffn_gate",
           "up_proj": "ffn_up", "down_proj": "ffn_down"}  # fmt: skip
 """The linear layers' names in transformers and in llama.cpp."""
+HEADS = {"attn_q": 9, "attn_k": 3}
+"""Of the layers whose rows llama.cpp has in another order, how many heads they have."""
 LONGEST = 900
 """Tokens of a pair; longer ones are left out."""
 
@@ -70,17 +74,22 @@ def batches(coded: list[tuple[list[int], list[int]]], size: int, pad: int, devic
         yield tokens.to(device), mask.to(device), labels.to(device)
 
 
-def train(folder: str, data: list[Pair], *, rank: int, rate: float, epochs: float, size: int) -> dict[str, Lora]:
-    """The trained layers by llama.cpp's names."""
+def train(
+    folder: str, data: list[Pair], start: Path | None, *, rank: int, rate: float, epochs: float, size: int
+) -> dict[str, Lora]:
+    """The trained layers by llama.cpp's names; `start`: the adapter to go on from."""
     from transformers import AutoModelForCausalLM, AutoTokenizer
 
     device = "cuda" if torch.cuda.is_available() else "cpu"
     words = AutoTokenizer.from_pretrained(folder, gguf_file=FILE)
     model = AutoModelForCausalLM.from_pretrained(folder, gguf_file=FILE, dtype=torch.float32).to(device)
     end, between = words.convert_tokens_to_ids("<|im_end|>"), words(END).input_ids
-    coded = [(words(t).input_ids + between, [*words(s).input_ids, end]) for t, s in data]
+    ends = ([] if s.endswith(LEFT_OUT) else [end] for _, s in data)
+    coded = [(words(t).input_ids + between, words(s).input_ids + e) for (t, s), e in zip(data, ends, strict=True)]
     coded = [(x, y) for x, y in coded if len(x) + len(y) <= LONGEST]
     layers = adapted(model, rank, 0.05)
+    if start is not None:
+        load(layers, start)
     learned = [p for p in model.parameters() if p.requires_grad]
     optimiser = torch.optim.AdamW(learned, lr=rate, weight_decay=0.01, betas=(0.9, 0.98))
     steps, step, began = int(math.ceil(len(coded) / size) * epochs), 0, time.time()
@@ -107,7 +116,21 @@ def train(folder: str, data: list[Pair], *, rank: int, rate: float, epochs: floa
     return layers
 
 
-def write(layers: dict[str, Lora], heads: dict[str, int], file: Path) -> None:
+def load(layers: dict[str, Lora], file: Path) -> None:
+    """An adapter of the same rank into the layers; the other way round as `write`."""
+    from gguf import GGUFReader
+    from gguf.quants import dequantize
+
+    there = {t.name: dequantize(t.data, t.tensor_type) for t in GGUFReader(file).tensors}
+    for name, layer in layers.items():
+        a, b = there[f"{name}.lora_a"], there[f"{name}.lora_b"]
+        if count := HEADS.get(name.split(".")[2]):
+            b = b.reshape(count, -1, 2, b.shape[1]).swapaxes(1, 2).reshape(b.shape)
+        for mine, values in ((layer.a, a), (layer.b, b)):
+            mine.data.copy_(torch.tensor(values))
+
+
+def write(layers: dict[str, Lora], file: Path) -> None:
     """The adapter as GGUF, Q8_0; rows of queries and keys in llama.cpp's order of the rotary halves."""
     from gguf import GGMLQuantizationType, GGUFWriter
     from gguf.quants import quantize
@@ -120,7 +143,7 @@ def write(layers: dict[str, Lora], heads: dict[str, int], file: Path) -> None:
     out.add_float32("adapter.lora.alpha", 2.0 * next(iter(layers.values())).a.shape[0])
     for name, layer in layers.items():
         a, b = layer.a.detach().float().cpu().numpy(), layer.b.detach().float().cpu().numpy()
-        if count := heads.get(name.split(".")[2]):
+        if count := HEADS.get(name.split(".")[2]):
             b = b.reshape(count, 2, -1, b.shape[1]).swapaxes(1, 2).reshape(b.shape)
         for end, values in (("a", a), ("b", b)):
             kind = GGMLQuantizationType.Q8_0
@@ -137,14 +160,22 @@ def main() -> None:
     parser.add_argument("out", type=Path)
     for name, value in (("rank", 64), ("rate", 1e-3), ("epochs", 3.5), ("size", 64), ("seed", 1)):
         parser.add_argument(f"--{name}", type=type(value), default=value)
+    parser.add_argument("--start", type=Path, help="an adapter to go on from")
+    parser.add_argument("--writers", nargs="*", default=(), help="those whose texts it goes on with")
+    parser.add_argument("--replay", type=float, default=0.3, help="others' texts, as a share of those writers'")
     given = parser.parse_args()
     random.seed(given.seed)
     torch.manual_seed(given.seed)
-    data = [*pairs(), *silver()]
+    if given.writers:
+        data, others = pairs(given.writers), pairs()
+        data += random.sample(others, min(len(others), int(given.replay * len(data))))
+    else:
+        data = [*pairs(), *silver()]
     print(f"{len(data)} pairs", flush=True)
-    layers = train(given.folder, data, rank=given.rank, rate=given.rate, epochs=given.epochs, size=given.size)
+    settings = {name: getattr(given, name) for name in ("rank", "rate", "epochs", "size")}
+    layers = train(given.folder, data, given.start, **settings)
     given.out.mkdir(parents=True, exist_ok=True)
-    write(layers, {"attn_q": 9, "attn_k": 3}, given.out / "reader.gguf")
+    write(layers, given.out / "reader.gguf")
 
 
 if __name__ == "__main__":

@@ -23,5 +23,6 @@ def value_in_words(path: str, value: Any) -> str:
     if isinstance(value, float | int):
         return in_words(path, value)
     if isinstance(value, Spec):
-        return ", ".join(f"{k} {value_in_words(k, getattr(value, k))}" for k in type(value).model_fields if getattr(value, k))
+        held = ((k, getattr(value, k)) for k in type(value).model_fields)
+        return ", ".join(f"{k} {value_in_words(k, v)}" for k, v in held if v)
     return str(value).replace("_", " ")

@@ -5,7 +5,7 @@ import random
 import pytest
 
 from c2s_bench.reading.agreement import agreement
-from c2s_bench.reading.pairs import judged, mirror, other_numbers, sloppy
+from c2s_bench.reading.pairs import judged, mirror, other_numbers, pairs, sloppy, variants
 from c2s_bench.reading.scenes import scenes
 from c2s_bench.reading.through import in_the_terms_of, seen
 from c2s_bench.reading.units import with_units
@@ -24,9 +24,14 @@ def some():
     return random.Random(2).sample(list(scenes()), 120)
 
 
-def test_the_scenes_are_some_thousand_each_told_twice_a_tenth_held_out():
+def test_the_scenes_are_some_thousand_told_once_or_twice_a_tenth_held_out():
     found = list(scenes())
-    assert len({s.id for s in found}) == len(found) > 5000 and all(len(s.texts) == 2 for s in found)
+    assert len({s.id for s in found}) == len(found) > 8000 and {len(s.texts) for s in found} == {1, 2}
+    noted = [s for s in found if s.lost is not None]
+    assert len(noted) > 3000 and any(phrase for s in noted for phrase in s.lost)
+    for scene in noted:
+        for text, lost in zip(scene.texts, scene.lost, strict=True):
+            assert all(phrase in " ".join(text.split()) for phrase in lost), scene.id
     assert 0.08 < sum(s.held for s in found) / len(found) < 0.12
 
 
@@ -53,6 +58,24 @@ def test_mirrored_pairs():
     assert "right lane" in text and "to the left" in text and "at=right_lane" in said and "side=left" in said
     assert mirror(text, said) == (TEXT, SAID)
     assert mirror("The van has the right of way.", SAID) is None
+
+
+def test_what_a_scene_leaves_out_stands_in_its_answers_word_for_word():
+    text = f"{TEXT} It hoots, on the left."
+    for said, line in ((SAID, SAID + "\nX:"), (SAID, SAID + "\nX: hoots"), (SAID, SAID + "\nX: none")):
+        lost = {"X:": None, "X: hoots": ("hoots",), "X: none": ()}[line.rsplit("\n", 1)[1]]
+        assert next(variants(text, said, random.Random(1), lost)) == (text, line)
+    turned, answer = mirror(text, SAID + "\nX: on the left")
+    assert "on the right." in turned and answer.endswith("\nX: on the right") and "at=right_lane" in answer
+
+
+def test_what_is_trained_on_is_complete_or_breaks_off_before_what_nobody_noted():
+    from c2s_bench.reading import train
+
+    for writers, ends in ((("golf",), {True}), (("papa",), {False})):
+        found = pairs(writers)
+        assert len(found) > 1000 and {said.endswith("\nX:") for _, said in found} == ends
+    assert train.LEFT_OUT == "X:"
 
 
 def test_other_numbers_stand_in_text_and_s_alike():

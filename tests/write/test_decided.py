@@ -3,7 +3,16 @@
 import pytest
 
 from c2s_engine.structure.components import Assumption, Component, Structure
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec
+from c2s_engine.structure.specs import (
+    EgoSpec,
+    LightChange,
+    ObjectSpec,
+    Phase,
+    Placement,
+    PlaceSpec,
+    SettingsSpec,
+    Trigger,
+)
 from c2s_engine.write.typed.decided import BY, differences, with_decisions
 
 
@@ -27,6 +36,16 @@ def test_what_is_left_open_is_said() -> None:
     assert found["R.kind"] == "intersection" and found["R.control"] == "signal"
     assert found["R.manoeuvre"] == "straight" and found["O1.speed"].endswith("km/h")
     assert "E.speed" not in found
+
+
+def test_when_a_light_changes_is_said_where_s_leaves_it_open() -> None:
+    whens = (("green", Trigger(kind="time")), ("red", Trigger(kind="time", value=9)))
+    changes = tuple(LightChange(to=to, when=when) for to, when in whens)
+    settings = SettingsSpec(light="red", light_changes=changes)
+    asked = scene(PlaceSpec(kind="intersection", control="signal"), EgoSpec(speed=13.89))
+    asked = asked.with_component(Component(id="G", spec=settings, origin="rendered"))
+    found = said(with_decisions(asked, 1.0))
+    assert found["G.light_changes.0.when"] == "3 s have passed" and "G.light_changes.1.when" not in found
 
 
 def test_what_is_changed_says_what_it_was() -> None:

@@ -144,10 +144,10 @@ def _before_junction(actor: Actor, phases: list[Phase]) -> bool:
     return not actor.is_ego or all(s.placement.position in ELSEWHERE for s in specs)
 
 
-def _in_egos_lane(actor: Actor) -> bool:
-    """Whether somebody starts ahead of ego, on its approach."""
-    spec = actor.spec
-    return isinstance(spec, ObjectSpec) and spec.placement.position == "ahead" and spec.placement.facing != "against"
+def _on_egos_approach(actor: Actor) -> bool:
+    """Whether somebody starts on ego's approach."""
+    placement = getattr(actor.spec, "placement", None)
+    return placement is not None and placement.position in lights.BESIDE_EGO and placement.facing != "against"
 
 
 def _red(actor: Actor) -> bool:
@@ -160,9 +160,12 @@ def _red(actor: Actor) -> bool:
 
 def _at_the_line(phases: list[Phase], red: bool) -> list[Phase]:
     """The phases of one who stops before the junction for its light, or and then goes over it: where that stop is. Who
-    only waits for a red light goes on as that turns green."""
-    if red and phases and _just_waits(phases[-1]):
-        return [*phases, Phase(action="start", trigger=Trigger(kind="light", light="green"))]
+    does nothing else stops there for a red light; who only waits for one goes on as it turns green."""
+    goes_on = Phase(action="start", trigger=Trigger(kind="light", light="green"))
+    if red and all(p.action == "keep_lane" and p.trigger is None for p in phases):
+        return [*phases, Phase(action="stop", trigger=AT_LINE), goes_on]
+    if red and _just_waits(phases[-1]):
+        return [*phases, goes_on]
     if red and len(phases) == 1 and phases[0].action == "stop" and phases[0].trigger is None:
         return [phases[0].model_copy(update={"trigger": AT_LINE})]
     if red and [p.action for p in phases[:2]] == ["stop", "start"] and phases[0].trigger is None:
@@ -188,7 +191,7 @@ def phases_of(actor: Actor) -> list[Phase]:
         after = [*(p.action for p in phases[1:]), ""]
         phases = [p for i, p in enumerate(phases) if (p.action, after[i]) != ("oncoming", "overtake")]
     if not actor.plan.junction or not (actor.is_ego or actor.approach):
-        return _at_the_line(phases, _red(actor)) if actor.plan.junction and _in_egos_lane(actor) else phases
+        return _at_the_line(phases, _red(actor)) if actor.plan.junction and _on_egos_approach(actor) else phases
     phases = _gives_way_first(phases)
     for i, phase in enumerate(phases):
         then = phases[i + 1] if i + 1 < len(phases) else None

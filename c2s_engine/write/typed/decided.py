@@ -9,7 +9,8 @@ from typing import Any
 
 from c2s_engine.structure.components import Assumption, ComponentId, Structure
 from c2s_engine.structure.quantity import high
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Placement, PlaceSpec, Spec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Placement, PlaceSpec, SettingsSpec, Spec
+from c2s_engine.structure.triggers import clause
 from c2s_engine.structure.values import amount, value_in_words
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.plan import Plan
@@ -19,8 +20,10 @@ from c2s_engine.write.typed.spread import spread
 from c2s_engine.write.typed.tables import BLUEPRINTS, HEIGHT, LENGTH, NOTE, TIMED, is_static
 from c2s_engine.write.typed.threats import threatening
 from c2s_engine.write.typed.usual import crosses, default_gap, speed_of
+from c2s_engine.write.typed.watching import with_value
 
 BY = "writer"
+OPEN = "left open: the writer's choice"
 
 
 def with_decisions(structure: Structure, room: float) -> Structure:
@@ -58,8 +61,13 @@ def _decided(structure: Structure, written: Structure, plan: Plan, cid: Componen
         reason = f"CARLA has no {kind}: {stands_in} stands in, as large as one in the dry run{NOTE.get(asked.type, '')}"
         size = f"{LENGTH[asked.type]:g} m long, {HEIGHT[asked.type]:g} m high"
         yield Assumption(field="model", value=size, reason=reason, by=BY)
+    if isinstance(asked, SettingsSpec):
+        for i, change in enumerate(asked.light_changes):
+            if (when := with_value(change.when)) != change.when:
+                said, value = clause(when, "ego", when.of or "the other"), when.value
+                yield Assumption(field=f"light_changes.{i}.when", value=said, reason=OPEN, by=BY, amount=value)
     for path, was, now in differences(asked, spec):
-        reason = "left open: the writer's choice" if was is None else f"written so for {value_in_words(path, was)}"
+        reason = OPEN if was is None else f"written so for {value_in_words(path, was)}"
         if was is None and path.endswith("speed") and (pace := _pace(asked, path)):
             reason = f"what {pace.replace('_', ' ')!r} means of a {asked.type.replace('_', ' ')} (data/paces.yaml)"  # type: ignore[union-attr]
         yield Assumption(field=path, value=value_in_words(path, now), reason=reason, by=BY, amount=amount(now))

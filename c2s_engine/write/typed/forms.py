@@ -2,6 +2,7 @@
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.write.typed import lights
 from c2s_engine.write.typed.alongside import beside_ego
 from c2s_engine.write.typed.facing import facing
 from c2s_engine.write.typed.hiding import standing
@@ -21,7 +22,7 @@ AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
 
 def normal(structure: Structure) -> Structure:
     """S as the writer reads it."""
-    structure = own_ways(beside_ego(together(in_sequence(slowing(structure)))))
+    structure = own_ways(beside_ego(together(in_sequence(slowing(lights.queued(structure))))))
     place, ego = structure.place.spec, structure.ego.spec
     assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
     if place.kind in ("road", "straight") and place.crosswalk and any(map(uses_crosswalk, _objects(structure))):

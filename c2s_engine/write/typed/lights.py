@@ -12,6 +12,8 @@ FOR_ALL = {"flashing", "dark"}
 """What all lights of a junction show at once."""
 HALTS = {"yellow", "red"}
 """What one stops for."""
+BESIDE_EGO = ("ahead", "behind", "beside", "left_lane", "right_lane")
+"""Where those start who come to the same light as ego."""
 ACROSS = {"crossing_left", "crossing_right"}
 """Where those start who come to lights that show the opposite of ego's."""
 NO_LIGHTS = {"motorway", *RAMP}
@@ -47,6 +49,23 @@ def first(settings: SettingsSpec) -> str:
     if settings.light is not None:
         return settings.light
     return "red" if settings.light_changes[0].to == "green" else "green"
+
+
+def queued(structure: Structure) -> Structure:
+    """S in which those on the approach of an ego that stands at its red light stand there as well, where nothing else
+    is said of them."""
+    settings, ego = structure.settings.spec, structure.ego.spec
+    if getattr(settings, "light", None) != "red" or getattr(ego, "speed", None) != 0:
+        return structure
+    for component in structure.objects:
+        spec = component.spec
+        if not isinstance(spec, ObjectSpec) or not is_vehicle(spec.type) or spec.phases or spec.speed or spec.pace:
+            continue
+        if spec.placement.position in BESIDE_EGO and spec.placement.facing != "against":
+            behind = spec.placement.position == "behind"
+            does = Phase(action="follow", target="ego") if behind else Phase(action="wait")
+            structure = structure.with_spec(component.id, speed=0.0, phases=(does,))
+    return structure
 
 
 def obeyed(phases: list[Phase], settings: SettingsSpec) -> list[Phase]:

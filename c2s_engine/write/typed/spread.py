@@ -5,7 +5,8 @@ from functools import lru_cache
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import references
 from c2s_engine.structure.quantity import high, low, middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec, RestrictionsSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec, RestrictionsSpec, SettingsSpec
+from c2s_engine.structure.vocabulary import LightState
 from c2s_engine.write.typed import traffic
 from c2s_engine.write.typed.apart import apart
 from c2s_engine.write.typed.contradictions import ResolveError
@@ -40,7 +41,8 @@ def spread(structure: Structure) -> Structure:
     Raises ResolveError where specs contradict each other, or two of them start inside each other whatever is open.
     """
     key = (structure.place.spec, structure.ego.spec, structure.restrictions.spec)
-    specs = _spread(*key, tuple((c.id, c.spec) for c in structure.objects))
+    light = getattr(structure.settings.spec, "light", None)
+    specs = _spread(light, *key, tuple((c.id, c.spec) for c in structure.objects))
     for component, spec in zip((structure.place, structure.ego, *structure.objects), specs, strict=True):
         if spec is not component.spec:
             structure = structure.with_spec(component.id, spec)
@@ -58,10 +60,12 @@ def contradiction(structure: Structure) -> ResolveError | None:
 
 @lru_cache(maxsize=256)
 def _spread(
-    place: PlaceSpec, ego: EgoSpec, restrictions: RestrictionsSpec, objects: tuple[tuple[str, ObjectSpec], ...]
+    light: LightState | None, place: PlaceSpec, ego: EgoSpec, restrictions: RestrictionsSpec,
+    objects: tuple[tuple[str, ObjectSpec], ...],
 ) -> tuple[PlaceSpec | EgoSpec | ObjectSpec, ...]:
     """The place, ego and the objects as they are spread (each fragment of a program asks for them)."""
     found = Structure(
+        settings=Component(id="G", spec=SettingsSpec(light=light)),
         place=Component(id="R", spec=place),
         ego=Component(id="E", spec=ego),
         objects=tuple(Component(id=cid, spec=spec) for cid, spec in objects),

@@ -12,6 +12,8 @@ from c2s_engine.write.typed.threats import observed, once_seen
 
 METRES, SECONDS, SPEED = 25.0, 3.0, 5.0
 """m, s, m/s where no value is given."""
+USUAL = {"time": SECONDS, "ttc": SECONDS, "distance": METRES, "apart": METRES, "speed": SPEED}
+"""The value of a kind of trigger that is given none."""
 ONTO_ROAD = ("cross_road", "enter_road")
 """What ego can answer only once it sees it."""
 MIRROR = 50
@@ -27,27 +29,33 @@ def watches(t: Trigger) -> bool:
     return is_watched(t) or t.place == "crosswalk"
 
 
+def with_value(t: Trigger) -> Trigger:
+    """The trigger with the value that it is watched by where S gives none; only a speed can be 0."""
+    given = t.value is not None if t.kind == "speed" else bool(t.value)
+    return t if given or t.kind not in USUAL else t.model_copy(update={"value": USUAL[t.kind]})
+
+
 def watched(structure: Structure, plan: Plan, t: Trigger, own: str, name: str = "self") -> str:
     """The condition of a trigger. `own`: the component whose phase it is, which the code calls `name`."""
     subject = name if t.subject in (None, called(own)) else scope.reference(structure, str(t.subject))
     cid = called(own) if t.subject is None else t.subject
     other = _name(structure, t.of or _other(structure, cid), own, name)
-    value = middle(t.value) if t.value is not None else None
+    value = middle(with_value(t).value or 0.0)
     match t.kind:
         case "time":
-            return f"clock() >= {scope.number(value or SECONDS)}"
+            return f"clock() >= {scope.number(value)}"
         case "ttc":
-            return f"ttc({subject}, {other}) < {scope.number(value or SECONDS)}"
+            return f"ttc({subject}, {other}) < {scope.number(value)}"
         case "distance":
-            return f"gap({subject}, {other}) < {scope.number(value or METRES)}"
+            return f"gap({subject}, {other}) < {scope.number(value)}"
         case "apart":
-            return f"gap({subject}, {other}) > {scope.number(value or METRES)}"
+            return f"gap({subject}, {other}) > {scope.number(value)}"
         case "passed":
             return f"passed({subject}, {other}, 0)"
         case "contact":
             return f"touch({subject}, {other})"
         case "speed":
-            off = f"abs({subject}.speed - {scope.number(value if value is not None else SPEED)})"
+            off = f"abs({subject}.speed - {scope.number(value)})"
             return f"clock() > 0.5 and {off} < {SAME}"
         case "light":
             state = FLASHES.get(t.light or "green", t.light or "green")
@@ -62,7 +70,7 @@ def watched(structure: Structure, plan: Plan, t: Trigger, own: str, name: str = 
             shows = observed(structure, other, t.of or "ego", t.action)
             return f"{shows} and {seen[1:]}" if seen.startswith("*in_") else shows
         case _:
-            return _there(structure, plan, t, subject, cid, value or 0.0)
+            return _there(structure, plan, t, subject, cid, value)
 
 
 def _name(structure: Structure, cid: str, own: str, name: str) -> str:

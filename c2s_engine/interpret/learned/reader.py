@@ -38,7 +38,9 @@ MOST_WORDS = 80
 NOT_USED = "the learned reader's words for it fit no field"
 TOO_LONG = f"The text has more than the {MOST_WORDS} words that the learned reader can read"
 NO_SCENARIO = "The learned reader's answer is no scenario"
-CHECK = "The learned reader is not sure of {}: compare that with the text."
+CHECK = "The learned reader is not sure of {}: compare S with the text."
+NAMED = 4
+"""Fields that are named of those that it is not sure of; S marks all."""
 GUESSED = "the learned reader is {:.0%} sure of it"
 PASSED_OVER = "no field of S says it"
 ALIKE = (("road", "straight"), ("straight", "road"), ("road", "curve"))
@@ -81,13 +83,15 @@ def learned(text: str) -> Read:
     if structure is None:
         return Read(own, answer, INSTEAD.format(NO_SCENARIO))
     structure, guesses = with_guesses(structure, answer)
-    return Read(structure, answer, CHECK.format(", ".join(guesses)) if guesses else "")
+    more = f" and {len(guesses) - NAMED} more" if len(guesses) > NAMED else ""
+    return Read(structure, answer, CHECK.format(", ".join(guesses[:NAMED]) + more) if guesses else "")
 
 
 def with_guesses(structure: Structure, answer: Answer) -> tuple[Structure, list[str]]:
-    """S, in which the fields that the model was not certain of count as assumed; and these, in words."""
+    """S, in which the fields that the model was not certain of count as assumed; and these in words, the least certain
+    first."""
     said = []
-    for (cid, path), likely in certainties(answer).items():
+    for (cid, path), likely in sorted(certainties(answer).items(), key=lambda found: found[1]):
         if likely >= CERTAIN or cid not in structure or not is_set(structure[cid].spec, path):
             continue
         value = value_in_words(path, value_at(structure[cid].spec, path))

@@ -17,7 +17,7 @@ from c2s_engine.interpret.learned import Answer, ReaderError, asked, installed, 
 from c2s_engine.interpret.learned.decoder import base
 from c2s_engine.interpret.learned.notation import left_out, parse, short, with_left_out
 from c2s_engine.interpret.learned.quantities import si
-from c2s_engine.interpret.learned.reader import CHECK, NOT_USED, PASSED_OVER, structure_of
+from c2s_engine.interpret.learned.reader import CHECK, NAMED, NOT_USED, PASSED_OVER, structure_of
 from c2s_engine.structure.account import account
 from c2s_engine.structure.progress import Finished
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, SettingsSpec
@@ -164,6 +164,15 @@ def test_a_field_that_the_model_guessed_is_assumed_and_said(monkeypatch, case):
     notes = [[c.id, a.field, a.value] for c in found.structure.components for a in c.assumed if a.by == "reader"]
     assert notes == case["assumed"]
     assert found.note == (CHECK.format(case["said"]) if case["said"] else "")
+
+
+def test_of_many_guesses_the_first_are_named(monkeypatch):
+    unsure = tuple((t, math.log(0.5)) for t, _ in tokens_of(ANSWER))
+    monkeypatch.setattr("c2s_engine.interpret.learned.reader.loaded", lambda: Saying(Answer(ANSWER, 10, 20, unsure)))
+    found = learned(TEXT)
+    guesses = [a for c in found.structure.components for a in c.assumed if a.by == "reader"]
+    assert len(guesses) > NAMED and found.note.count("'s ") == NAMED
+    assert f" and {len(guesses) - NAMED} more: compare S with the text." in found.note
 
 
 def test_what_the_model_leaves_out_is_not_understood_at_its_place():

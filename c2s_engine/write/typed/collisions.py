@@ -27,6 +27,8 @@ TRIES = ("brake", "lose_control")
 """What one does that does not keep it from hitting another."""
 TOO_LATE = 5
 """m/s2 at which one brakes hard, and too late."""
+FASTER = 2.5
+"""m/s by which ego, which brakes too late, is at least faster than whom it then hits."""
 SIDEWAYS = frozenset(
     ("overtake", "lane_change", "cut_in", "cut_out", "swerve", "drift", "lose_control", "oncoming", "leave_road")
 )
@@ -63,7 +65,7 @@ def collides(c: Course, p: Phase) -> list[Step]:
     if c.actor.approach or "enter_road" in _before(c, p) or _before(c, p) & SIDEWAYS:
         return _drives_on(c, other)
     side = _leaves_the_lane(c.actor.structure)
-    if not c.same_lane(p):  # it comes over, unless the other does
+    if not in_its_lane(c, p):  # it comes over, unless the other does
         if not side or c.actor.is_ego:
             return _comes_over(c, p, other)
         waits = f"lambda: pace(self, {other}, {c.speed})"
@@ -124,11 +126,31 @@ def hits_at(c: Course, p: Phase) -> float | None:
         return None
     across = ways_cross(c, hit)
     said = hit.speed if hit.speed is not None else p.speed
-    open_ = p is hit or p.speed is None and c.actor.is_ego
-    if not across and (open_ or not c.same_lane(hit)) or p is hit and said is None:
+    if not across and (p is hit or not in_its_lane(c, hit)) or p is hit and said is None:
         return None
     goal = middle(said) if said is not None else (LEFT if p is hit or hit_next(c, p) else SLIDING) * c.value
+    if not across and said is None and c.actor.is_ego:  # it still catches up with who drives on
+        goal = min(max(goal, _ends_at(c, hit) + FASTER), c.value - BRAKED)
     return goal if p is not hit or across and goal < c.value - SLOWER else None
+
+
+def in_its_lane(c: Course, p: Phase) -> bool:
+    """Whether whom one hits is in its lane then: from the first, or because that one comes there."""
+    spec, lane = c.other(p.target), c.target_lane(p)
+    if spec is None or lane is None:
+        return c.same_lane(p)
+    into = [q for q in spec.phases if q.action in ("cut_in", "lane_change") and not q.abandoned]
+    comes = {"cut_in": 0, "lane_change": lane + (-1 if into[-1].side == "right" else 1)}[into[-1].action] if into else lane
+    return c.lane in (lane, comes)
+
+
+def _ends_at(c: Course, hit: Phase) -> float:
+    """The speed (m/s) to which whom one hits has slowed down by then, at the most."""
+    spec, speed = c.other(hit.target), c.target_speed(hit)
+    slows = [q for q in spec.phases if q.action in ("brake", "stop")] if spec is not None else []
+    if not slows or slows[-1].action == "stop":
+        return 0.0 if slows else speed
+    return middle(slows[-1].speed) if slows[-1].speed is not None else speed / 2
 
 
 def too_late(c: Course, p: Phase) -> str:

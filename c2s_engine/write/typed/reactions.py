@@ -188,7 +188,7 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     pairs = zip(spec.phases, spec.phases[1:], strict=False)
     own = [(p, then.target) for p, then in pairs if (p.action, then.action) == ("brake", "collide")
            and p.target in (None, then.target)]  # fmt: skip
-    braked = {hit for p, hit in own if p.speed or p.rate is None and _crosses(s, str(hit))}
+    braked = {hit for p, hit in own if p.speed or p.rate is None}
     slowed = {p.target for p in spec.phases if p.action == "collide" and p.speed is not None}
     by_way = {c for c in met if c in braked or c in slowed and _crosses(s, c)}  # its way says how it brakes
     movers = [c for c in met if c not in by_way and not (_beside(s, c) and _stands(s, c))]

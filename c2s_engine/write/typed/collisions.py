@@ -25,10 +25,16 @@ BRAKED = 2.6
 """m/s by which one has braked that then slides."""
 TRIES = ("brake", "lose_control")
 """What one does that does not keep it from hitting another."""
+HARD = 6
+"""m/s2 at which ego brakes hard that still hits whom it brakes for."""
 TOO_LATE = 5
 """m/s2 at which one brakes hard, and too late."""
 FASTER = 2.5
 """m/s by which ego, which brakes too late, is at least faster than whom it then hits."""
+ASIDE = 0.6
+"""m beside the middle of its lane by which one hits another there with a corner."""
+TO_LEFT, TO_RIGHT = frozenset(("front_right", "rear_left")), frozenset(("front_left", "rear_right"))
+"""The striker's front corner and the other's rear corner that touch where the striker drives further left, or right."""
 SIDEWAYS = frozenset(
     ("overtake", "lane_change", "cut_in", "cut_out", "swerve", "drift", "lose_control", "oncoming", "leave_road")
 )
@@ -52,6 +58,7 @@ def collides(c: Course, p: Phase) -> list[Step]:
     if any(q.action in TRIES and q.rate is None and hits_at(c, q) is not None for q in _right_before(c, p)):
         return [_stands(c)]
     c.set(goal)
+    c.aside = c.aside or by_corner(c, p)
     beside = _beside_the_lane(c, p) if c.actor.is_ego else ""
     if _over_the_middle(c) or beside == "oncoming_lane":
         return [([c.drive(offset=scope.number(LANE_WIDTH), shift=2)], f"until touch(self, {other})"), _stands(c)]
@@ -129,8 +136,10 @@ def hits_at(c: Course, p: Phase) -> float | None:
     if not across and (p is hit or not in_its_lane(c, hit)) or p is hit and said is None:
         return None
     goal = middle(said) if said is not None else (LEFT if p is hit or hit_next(c, p) else SLIDING) * c.value
-    if not across and said is None and c.actor.is_ego:  # it still catches up with who drives on
-        goal = min(max(goal, _ends_at(c, hit) + FASTER), c.value - BRAKED)
+    if not across and said is None and c.actor.is_ego:
+        if stops_before(c.other(hit.target)):
+            return None
+        goal = min(max(goal, _ends_at(c, hit) + FASTER), c.value - BRAKED)  # it catches up with who drives on
     return goal if p is not hit or across and goal < c.value - SLOWER else None
 
 
@@ -144,13 +153,30 @@ def in_its_lane(c: Course, p: Phase) -> bool:
     return c.lane in (lane, comes)
 
 
+def by_corner(c: Course, hit: Phase) -> str:
+    """How far (m) to the left of its lane's middle one drives that hits another in its lane with a corner, or at one of
+    the other's; "": in the middle."""
+    sides = {part for part in (hit.part, hit.target_part) if part} & {*TO_LEFT, *TO_RIGHT}
+    if not sides or c.backwards or ways_cross(c, hit) or not in_its_lane(c, hit):
+        return ""
+    return scope.number(ASIDE) if sides <= TO_LEFT else scope.number(-ASIDE) if sides <= TO_RIGHT else ""
+
+
+def stops_before(spec: ObjectSpec | None) -> bool:
+    """Whether whom ego hits has come to a stand before it, and not by a slide."""
+    does = [q.action for q in spec.phases] if spec is not None else []
+    return "stop" in does and "lose_control" not in does
+
+
 def _ends_at(c: Course, hit: Phase) -> float:
     """The speed (m/s) to which whom one hits has slowed down by then, at the most."""
     spec, speed = c.other(hit.target), c.target_speed(hit)
-    slows = [q for q in spec.phases if q.action in ("brake", "stop")] if spec is not None else []
-    if not slows or slows[-1].action == "stop":
-        return 0.0 if slows else speed
-    return middle(slows[-1].speed) if slows[-1].speed is not None else speed / 2
+    if spec is not None and {"lose_control", "stop"} <= _does(spec):
+        return 0.0
+    brakes = [q for q in spec.phases if q.action == "brake"] if spec is not None else []
+    if not brakes:
+        return speed
+    return middle(brakes[-1].speed) if brakes[-1].speed is not None else speed / 2
 
 
 def too_late(c: Course, p: Phase) -> str:
@@ -168,11 +194,14 @@ def brakes_into(c: Course, p: Phase) -> list[Step] | None:
     goal, until, hit = hits_at(c, p), too_late(c, p), hit_after(c, p)
     if goal is None or hit is None:
         return None
+    c.aside = c.aside or by_corner(c, hit)
     other, waits = c.actor.ref(hit.target), [([c.drive()], until)] if until and p.trigger else []
     slides, speed = hit is not p and hit_next(c, p) is None, scope.number(round(goal, 1))
     until_then = f"self.speed < {scope.number(round(c.value - BRAKED, 1))}" if slides else f"touch(self, {other})"
     c.set(goal)
     c.value = goal
+    if waits and not ways_cross(c, hit):  # as soon as its trigger says
+        return [([c.drive(speed, HARD if getattr(c.actor.spec, "hard", False) else None)], f"until touch(self, {other})")]
     return [*waits, ([c.drive(speed, f"lambda: into(self, {other}, {speed})")], f"until {until_then}")]
 
 

@@ -10,7 +10,8 @@ from c2s_engine.structure.triggers import gives_way_by
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.ahead import stands_before
 from c2s_engine.write.typed.alongside import offset
-from c2s_engine.write.typed.course import Actor
+from c2s_engine.write.typed.collisions import stops_before
+from c2s_engine.write.typed.course import WHERE_IT_IS, Actor
 from c2s_engine.write.typed.evasion import grip
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
@@ -188,18 +189,19 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     pairs = zip(spec.phases, spec.phases[1:], strict=False)
     own = [(p, then.target) for p, then in pairs if (p.action, then.action) == ("brake", "collide")
            and p.target in (None, then.target)]  # fmt: skip
-    braked = {hit for p, hit in own if p.speed or p.rate is None}
+    stood = {c for c in met if stops_before(s[c].spec)}  # type: ignore[arg-type]
+    braked = {c for p, c in own if p.speed or p.rate is None and (c not in stood or _crosses(s, str(c)))}
     slowed = {p.target for p in spec.phases if p.action == "collide" and p.speed is not None}
     by_way = {c for c in met if c in braked or c in slowed and _crosses(s, c)}  # its way says how it brakes
     movers = [c for c in met if c not in by_way and not (_beside(s, c) and _stands(s, c))]
     for c in movers:
         one = scope.reference(s, c)
         need = f"need(self, {one})"
-        when, until = f"{need} > 6", f"{need} <= 0"
+        when, until, aside = f"{need} > 6", f"{need} <= 0", f", offset={WHERE_IT_IS}"
         if _crosses(s, c):
-            when = f"in_way(line, {one}, seconds=FORESEEN)"
+            when, aside = f"in_way(line, {one}, seconds=FORESEEN)", ""
             until = f"not {when}"
-        lines += [f"interrupt when {when}:", f"    do Drive(line, {STILL}, rate={rate}) until {until}"]
+        lines += [f"interrupt when {when}:", f"    do Drive(line, {STILL}, rate={rate}{aside}) until {until}"]
     return lines if others or movers else statements
 
 

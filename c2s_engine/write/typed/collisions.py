@@ -6,13 +6,15 @@ from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, MOVES_OFF_ROAD, is_static
-from c2s_engine.write.typed.threats import slowed
+from c2s_engine.write.typed.threats import STANDS, slowed
 from c2s_engine.write.typed.usual import SETS_OUT, crosses
 
 LATE = "clock() > 12"
 """When whoever is to hit another no longer waits for that one to slow down."""
 CLOSE = 0.6
 """s behind ego: too little for who then does not stop."""
+ROLLS = 1.5
+"""m/s at which one at least rolls into ego that has slowed down behind it."""
 SLOWER = 1.0
 """m/s by which one who is slower than ego falls behind it."""
 SETS_OUT_RATE = 2.0
@@ -88,9 +90,10 @@ def collides(c: Course, p: Phase) -> list[Step]:
     until = slowed(c.actor, p.target)
     if not until:  # nothing else brings it to the other than that it is faster
         c.set(faster)
-    elif goal < c.actor.plan.ego_speed - SLOWER:  # so slow it is only as it rolls into ego, which has stopped before it
+    elif goal < c.actor.plan.ego_speed + (SLOWER if until == STANDS else -SLOWER):  # it is only as it rolls into ego
         behind = c.drive(f"lambda: pace(self, {other}, EGO_SPEED, {CLOSE})", 4)
-        return [([behind], f"until {until} or {LATE}"), *_drives_on(c, other)]
+        rolls = c.drive(f"max(self.speed, {scope.number(ROLLS)})")
+        return [([behind], f"until {until} or {LATE}"), ([rolls], f"until touch(self, {other})"), _stands(c)]
     return _drives_on(c, other)
 
 

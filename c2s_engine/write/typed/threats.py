@@ -18,6 +18,8 @@ STAYS = {"keep_lane", "move_along", "stationary", "wait", "go_straight"}
 """What somebody does who stays beside the road."""
 ASIDE = {"swerve", "lane_change", "leave_road"}
 """How one gets out of the way of what is ahead in its lane."""
+STANDS = "ego.speed < 0.3"
+"""The condition under which ego stands, for one behind it."""
 CALM = {"follow", "keep_lane", "go_straight", "turn_left", "turn_right", "move_along", "brake"}
 """What ego does before it is to stop while nothing forces it to."""
 
@@ -154,7 +156,7 @@ def slowed(actor: Actor, target: str | None) -> str:
     if middle(ego.speed or 1) == 0 and not actions & {"start", "accelerate", "enter_road"}:
         return ""  # it stands from the first
     if actions & {"stop", "wait", "stationary"} or ego.reaction in ("brake", "yield") and _stops_ego(actor.structure):
-        return "ego.speed < 0.3"
+        return STANDS
     if ego.reaction in ("brake", "yield") and len(actor.structure.objects) > 1 or "brake" in actions:
         return "ego.speed < EGO_SPEED - 2.5"
     return ""

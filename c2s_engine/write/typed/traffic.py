@@ -75,7 +75,7 @@ def _at_pace(structure: Structure) -> Structure:
         assert isinstance(spec, ObjectSpec)
         by = structure.ego.spec if spec.placement.of == "ego" else structure[spec.placement.of].spec
         speed = getattr(by, "speed", None)
-        if not _open_pace(spec) or speed is None or middle(speed) <= 0:
+        if not (_open_pace(spec) or _runs_up(spec, ego)) or speed is None or middle(speed) <= 0:
             continue
         if spec.placement.position == "oncoming_lane" and getattr(by, "pace", None) is not None:
             continue  # a word says how one drives, not how all do
@@ -112,6 +112,15 @@ def _open_pace(spec: ObjectSpec) -> bool:
     others = {p.action for p in spec.phases if p.action != "collide" or p.target in (None, "ego")}
     plain = others <= PLAIN and all(p.speed is None or p.action == "brake" for p in spec.phases[:1])
     return placed and plain and is_vehicle(spec.type) and spec.type != "bicycle" and spec.speed is None
+
+
+def _runs_up(spec: ObjectSpec, ego: EgoSpec) -> bool:
+    """Whether one behind ego runs into it because ego slows down."""
+    slows = ego.reaction in ("brake", "yield") or {"brake", "stop"} & {p.action for p in ego.phases}
+    behind = (spec.placement.position, spec.placement.of) == ("behind", "ego")
+    phases = tuple(p for p in spec.phases if p.action != "collide")
+    hits = len(phases) < len(spec.phases) and all(p.speed is None for p in spec.phases)
+    return bool(behind and hits and slows) and _open_pace(spec.model_copy(update={"phases": phases}))
 
 
 def _pace(spec: ObjectSpec, of: float) -> float:

@@ -545,12 +545,14 @@ behavior Cruise(points, speed):
     take SetSpeedAction(speed)
     do Drive(points, speed)
 
-behavior Skid(points, aside, rate=5, turn=0.6):
+behavior Skid(points, aside, rate=5, turn=0.6, target=None):
     """Slide as one does that has lost its grip, slowing down at `rate` (m/s2): askew, so as to come to a stand `aside` m
-    to the left of the points, turned by `turn` rad to that side. Nothing is steered back."""
+    to the left of the points, turned by `turn` rad to that side; or straight at a `target`, still at half of its speed
+    there. Nothing is steered back."""
     metres, turned = self.speed ** 2 / (2 * rate), self.heading + math.copysign(turn, aside)
     k = min(nearest(self, points) + max(1, int(metres / 2)), len(points) - 2)
-    end = points[k] + (points[k + 1] - points[k]).normalized().rotatedBy(90 deg) * aside
+    end = target.position if target else points[k] + (points[k + 1] - points[k]).normalized().rotatedBy(90 deg) * aside
+    rate = min(rate, 0.375 * self.speed ** 2 / max(distance from self to end, 1)) if target else rate
     course, speed = (end - self.position).normalized(), self.speed
     while speed > 0:
         speed = max(0, speed - rate * simulation().timestep)

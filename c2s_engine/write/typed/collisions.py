@@ -5,6 +5,7 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
+from c2s_engine.write.typed.lateral import sideways
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, MOVES_OFF_ROAD, is_static
 from c2s_engine.write.typed.threats import STANDS, slowed
 from c2s_engine.write.typed.usual import SETS_OUT, crosses
@@ -37,6 +38,8 @@ ASIDE = 0.6
 """m beside the middle of its lane by which one hits another there with a corner."""
 TO_LEFT, TO_RIGHT = frozenset(("front_right", "rear_left")), frozenset(("front_left", "rear_right"))
 """The striker's front corner and the other's rear corner that touch where the striker drives further left, or right."""
+OVER_EDGE, DRIFTS = 1.4, 0.8
+"""m from the middle of its lane, and m/s sideways, at which one that drifts is over the edge of it."""
 SIDEWAYS = frozenset(
     ("overtake", "lane_change", "cut_in", "cut_out", "swerve", "drift", "lose_control", "oncoming", "leave_road")
 )
@@ -151,9 +154,9 @@ def in_its_lane(c: Course, p: Phase) -> bool:
     spec, lane = c.other(p.target), c.target_lane(p)
     if spec is None or lane is None:
         return c.same_lane(p)
-    into = [q for q in spec.phases if q.action in ("cut_in", "lane_change") and not q.abandoned]
-    comes = {"cut_in": 0, "lane_change": lane + (-1 if into[-1].side == "right" else 1)}[into[-1].action] if into else lane
-    return c.lane in (lane, comes)
+    into = [q for q in spec.phases if q.action in ("cut_in", "lane_change") and not q.abandoned][-1:]
+    comes = [0 if q.action == "cut_in" else lane + (-1 if q.side == "right" else 1) for q in into]
+    return c.lane in (lane, *comes)
 
 
 def by_corner(c: Course, hit: Phase) -> str:
@@ -204,7 +207,8 @@ def brakes_into(c: Course, p: Phase) -> list[Step] | None:
     c.set(goal)
     c.value = goal
     if waits and not ways_cross(c, hit):  # as soon as its trigger says
-        return [([c.drive(speed, HARD if getattr(c.actor.spec, "hard", False) else None)], f"until touch(self, {other})")]
+        rate = HARD if getattr(c.actor.spec, "hard", False) else None
+        return [([c.drive(speed, rate)], f"until touch(self, {other})")]
     return [*waits, ([c.drive(speed, f"lambda: into(self, {other}, {speed})")], f"until {until_then}")]
 
 
@@ -272,11 +276,18 @@ def hit_beside(c: Course, p: Phase) -> str:
 
 
 def straight_for(c: Course, p: Phase, hit: str) -> list[Step]:
-    """Along the lane, and from shortly before straight for what is beside it."""
-    other = c.actor.ref(hit)
-    near = f"until (distance from self to {other}) < 15 + 1.5 * self.speed"
-    ram = f"do Ram({other}, {c.speed})"
-    return [([c.drive(c.set(c.wanted(p, c.value)))], near), ([ram], f"until touch(self, {other})")]
+    """Along the lane, and from shortly before straight for what is beside it; one that drifts is slowly over the edge
+    of its lane first."""
+    other, goal = c.actor.ref(hit), c.set(c.wanted(p, c.value))
+    ram = [f"do Ram({other}, {c.speed})"], f"until touch(self, {other})"
+    if p.action != "drift":
+        return [([c.drive(goal)], f"until (distance from self to {other}) < 15 + 1.5 * self.speed"), ram]
+    spec = c.other(hit)
+    left = spec is not None and spec.placement.side == "left"
+    out = c.drive(goal, offset=scope.number(OVER_EDGE if left else -OVER_EDGE), shift=DRIFTS)
+    seconds = round(sideways(OVER_EDGE, DRIFTS) + 0.3, 1)
+    near = f"until (distance from self to {other}) < 10 + {scope.number(seconds + 0.5)} * self.speed"
+    return [([c.drive(goal)], near), ([out], f"for {scope.number(seconds)} seconds"), ram]
 
 
 def _over_the_middle(c: Course) -> bool:

@@ -4,7 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import lateral, scope
-from c2s_engine.write.typed.collisions import Step, hit_next, struck_beside, ways_cross
+from c2s_engine.write.typed.collisions import Step, hit_beside, hit_next, ways_cross
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.hiding import aside
 from c2s_engine.write.typed.passing import BESIDE, NARROW
@@ -19,6 +19,8 @@ PARTLY = 1.8
 """m by which one that slides into the next lane ends beside the middle of its own."""
 ASKEW = 0.8
 """The same of one that slides straight into another whose way crosses its own."""
+INTO = 0.4
+"""rad by which one is turned that slides from the road, so that it is still its front that hits what is there."""
 RECOVERS = "for 1.2 seconds"
 ENDS = {"stop", "stationary", "wait"}
 WHERE = {"drift", "swerve", "lane_change", "cut_out", "oncoming"}
@@ -46,12 +48,12 @@ def grip(structure: Structure, table: dict[str, float], dry: float) -> float:
 
 def loses_control(c: Course, p: Phase) -> list[Step]:
     """A slide out of the lane: to a stand where that is the end of it, else until it is caught."""
-    if into := struck_beside(c, p):
-        return into
     phases = c.actor.spec.phases
     later = phases[phases.index(p) + 1 :] if p in phases else ()
     sided = next((q for q in (p, *later) if q.side), p)
     metres = (-1 if sided.side == "right" else 1) * PARTLY
+    if beside := hit_beside(c, p):
+        return _slides_into(c, p, beside)
     if any(q.action in ("lane_change", "cut_out", "oncoming") for q in later[:1]):
         metres = metres / PARTLY * LANE_WIDTH
     hit = hit_next(c, p)
@@ -64,6 +66,17 @@ def loses_control(c: Course, p: Phase) -> list[Step]:
     if any(q.action in ENDS for q in later):
         return [([slides], "until self.speed < 0.2")]
     return [([slides], RECOVERS), ([c.drive()], "for 2 seconds")]
+
+
+def _slides_into(c: Course, p: Phase, cid: str) -> list[Step]:
+    """A slide from the lane straight into what stands beside the road."""
+    thing, rate = c.actor.ref(cid), grip(c.actor.structure, SLIDING, DRY)
+    spec = c.other(cid)
+    left = spec is not None and spec.placement.side == "left"
+    slides = f"do Skid(line, {1 if left else -1}, {scope.number(rate)}, {INTO}, target={thing})"
+    drive = c.drive(c.set(c.wanted(p, c.value)))
+    return [([drive], f"until (distance from self to {thing}) < 15 + 1.5 * self.speed"),
+            ([slides], f"until touch(self, {thing})")]  # fmt: skip
 
 
 def slides_there(c: Course, p: Phase) -> bool:

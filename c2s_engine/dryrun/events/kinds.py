@@ -29,6 +29,8 @@ def types_of(path: Path) -> tuple[str, ...]:
     """Every type that it is."""
     if path.kind == "walker" and path.role.startswith("animal"):
         return ("animal",)
+    if path.kind == "walker" and path.role.startswith("thing"):
+        return TYPES["prop"]
     return TYPES[path.kind]
 
 
@@ -38,6 +40,7 @@ def is_vehicle(path: Path) -> bool:
 
 
 def is_vru(path: Path) -> bool:
+    """Whether it goes as those on foot do, or rides."""
     return path.kind == "walker" or path.kind in RIDDEN
 
 

@@ -112,7 +112,7 @@ def _edge(spec: ObjectSpec, constant: str, along: str, lane: str, plan: Plan, ba
 def _facing(spec: ObjectSpec, left: bool) -> str:
     """Those that will cross look across; those that go against the road look back."""
     actions = {p.action for p in spec.phases}
-    on_foot = is_walker(spec.type) or spec.type == "bicycle"
+    on_foot = is_walker(spec) or spec.type == "bicycle"
     crosses = bool(actions & {"cross_road", "enter_road", "collide"}) and on_foot and not walks_first(spec)
     if "reverse" in actions and is_vehicle(spec.type) and spec.placement.facing == "across":  # its back to the road
         return "90 deg relative to " if left else "-90 deg relative to "

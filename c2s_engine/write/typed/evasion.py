@@ -141,7 +141,7 @@ def swerves_too_late(c: Course, p: Phase) -> list[Step]:
 
 def _small(c: Course, cid: str) -> bool:
     spec = c.other(cid)
-    return spec is not None and is_walker(spec.type)
+    return spec is not None and is_walker(spec)
 
 
 def _met(structure: Structure) -> list[str]:

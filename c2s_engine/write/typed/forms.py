@@ -64,7 +64,7 @@ def _for_whom(phase: Phase, ego: EgoSpec, structure: Structure) -> Phase:
     and ego reacts to."""
     open_ = phase.action == "stop" and not (phase.target or phase.trigger)
     other = structure[ego.react_to].spec if open_ and ego.react_to and ego.react_to in structure else None
-    if isinstance(other, ObjectSpec) and crosses(other) and is_walker(other.type):
+    if isinstance(other, ObjectSpec) and crosses(other) and is_walker(other):
         return phase.model_copy(update={"target": ego.react_to})
     return phase
 

@@ -35,7 +35,7 @@ def lane_offset(cid: str, objects: dict[str, ObjectSpec], seen: tuple[str, ...] 
 def is_landmark(spec: ObjectSpec) -> bool:
     """Whether a thing beside the road only tells where along it others are: what is ahead of a sign is on the road."""
     beside = spec.placement.position in ("roadside", "sidewalk")
-    return beside and not is_vehicle(spec.type) and not is_walker(spec.type)
+    return beside and not is_vehicle(spec.type) and not is_walker(spec)
 
 
 def oncoming(spec: ObjectSpec, objects: dict[str, ObjectSpec]) -> bool:

@@ -17,8 +17,11 @@ from c2s_engine.write.typed.tables import (
     NAMED_BLUEPRINTS,
     OBSTRUCTING,
     ROLE,
+    ROLLING,
+    USUAL_HEIGHT,
     WIDTH,
     WORKS,
+    is_rolling,
     is_static,
     is_vehicle,
     is_walker,
@@ -48,7 +51,7 @@ def write_object(structure: Structure, cid: str, plan: Plan) -> str:
     if moving:
         statements = (
             people.walker(structure, cid, plan)
-            if is_walker(spec.type)
+            if is_walker(spec)
             else _driver(structure, cid, spec, plan, spot, prefix, speed)
         )
         behavior = _cruises(statements) or f"{scope.camel(name)}Behavior()"
@@ -66,13 +69,14 @@ def _cruises(statements: list[str]) -> str:
 
 
 def _statement(spec: ObjectSpec, spot: Spot, name: str, behavior: str) -> list[str]:
-    extras = [f"with blueprint {_blueprint(spec)}"]
+    extras, rolls = [f"with blueprint {_blueprint(spec)}"], is_rolling(spec)
     role = spec.type if spec.model and spec.model == OBSTRUCTING.get(spec.type) else ROLE.get(spec.type)
+    role = ROLLING["role"] if rolls else role
     if spec.type == "speed_sign":
         role = f"speed_sign:{round((spec.limit or 13.9) * 3.6)}"
     if role:
         extras.append(f"with rolename '{role}'")
-    if not (is_vehicle(spec.type) or is_walker(spec.type)) and not any(
+    if not (is_vehicle(spec.type) or is_walker(spec)) and not any(
         "regionContainedIn" in s for s in spot.specifiers
     ):
         extras.append("with regionContainedIn everywhere")
@@ -80,8 +84,9 @@ def _statement(spec: ObjectSpec, spot: Spot, name: str, behavior: str) -> list[s
         extras.append("facing roadDirection")
     if spec.type == "bus":  # wider than most lanes
         extras.append("with regionContainedIn everywhere")
-    if spec.type in HEIGHT:
-        size = {"length": LENGTH[spec.type], "width": WIDTH[spec.type], "height": HEIGHT[spec.type]}
+    if spec.type in HEIGHT or rolls:
+        height = HEIGHT.get(spec.type, USUAL_HEIGHT)
+        size = {"length": LENGTH[spec.type], "width": WIDTH[spec.type], "height": height}
         said = " ".join(spot.specifiers)
         extras += [f"with {k} {scope.number(m)}" for k, m in size.items() if f"with {k} " not in said]
     if any(p.action == "run_red" for p in spec.phases):
@@ -89,7 +94,7 @@ def _statement(spec: ObjectSpec, spot: Spot, name: str, behavior: str) -> list[s
     if behavior:
         extras.append(f"with behavior {behavior}")
     specifiers = list(dict.fromkeys([*spot.specifiers, *extras]))
-    head = f"new {CLASS[spec.type]} {specifiers[0]}"
+    head = f"new {ROLLING['class'] if rolls else CLASS[spec.type]} {specifiers[0]}"
     if spec.count > 1:
         rest = [f"    {s}," for s in specifiers[1:-1]]
         return [f"{name} = [{head},", *rest, f"    {specifiers[-1]} for i in range({spec.count})]"]
@@ -97,6 +102,8 @@ def _statement(spec: ObjectSpec, spot: Spot, name: str, behavior: str) -> list[s
 
 
 def _blueprint(spec: ObjectSpec) -> str:
+    if is_rolling(spec):
+        return f"'{ROLLING['blueprint']}'"
     if spec.model:
         return f"'{spec.model}'"
     named = NAMED_BLUEPRINTS.get(spec.type)

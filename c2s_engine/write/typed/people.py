@@ -68,7 +68,7 @@ def constants(structure: Structure, cid: str, plan: Plan) -> list[str]:
     spec = structure[cid].spec
     assert isinstance(spec, ObjectSpec)
     first = next((p for p in spec.phases if p.action in ACROSS), None)
-    walks_into = is_walker(spec.type) and first is not None and first.action == "collide"
+    walks_into = is_walker(spec) and first is not None and first.action == "collide"
     if not (crosses(spec) or walks_into) or _ego_stays(structure, plan):
         return []
     again, later = _comes_again(structure, cid, spec), middle(spec.placement.later or 0.0)
@@ -88,7 +88,7 @@ def _comes_again(structure: Structure, cid: str, spec: ObjectSpec) -> Phase | No
     """The second crossing of somebody on foot who has halted on the way, or gone back, and then meets ego."""
     across = [p for p in spec.phases if p.action in ("cross_road", "enter_road")]
     again = across[1] if len(across) > 1 and across[1].trigger is None else None
-    return again if is_walker(spec.type) and _meets(structure, cid, spec) else None
+    return again if is_walker(spec) and _meets(structure, cid, spec) else None
 
 
 def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, again: Phase | None) -> Quantity:
@@ -110,7 +110,7 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, again
     stays = spec.phases[at].action == "enter_road" or _stays(spec.phases[at + 1 : at + 2])
     if spec.phases[at].action == "cross_road" and _stays(spec.phases[at + 1 : at + 2]):
         ahead = max(GONE / pace, _to_slow(structure, plan))
-    elif _ego_reacts(structure):
+    elif _ego_reacts(structure) and not _left_to_itself(structure, cid):
         by = structure[spec.placement.hidden_by].spec if spec.placement.hidden_by else None
         covered = inside(by) if isinstance(by, ObjectSpec) else 0.0
         seen = (way_out(structure, spec, plan.place) - covered) / pace
@@ -334,6 +334,14 @@ def _ego_stays(structure: Structure, plan: Plan) -> bool:
 def _ego_reacts(structure: Structure) -> bool:
     ego = structure.ego.spec
     return isinstance(ego, EgoSpec) and (ego.reaction != "none" or any(p.action in ANSWERS for p in ego.phases))
+
+
+def _left_to_itself(structure: Structure, cid: str) -> bool:
+    """Whether all that ego does is about others."""
+    ego = structure.ego.spec
+    assert isinstance(ego, EgoSpec)
+    named = {whom for p in ego.phases for whom in (p.target, p.trigger.of if p.trigger else None)}
+    return ego.react_to not in (None, cid) and cid not in named
 
 
 def _meets(structure: Structure, cid: str, spec: ObjectSpec) -> bool:

@@ -124,7 +124,7 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
             "with regionContainedIn everywhere",
             *([] if spec.placement.facing == "against" else [f"facing heading_at({lane}, {reached})"]),
         )
-    if is_walker(spec.type):
+    if is_walker(spec):
         specifiers += ("with regionContainedIn everywhere",)
     way = f"way({lane}, place.turn)" if plan.junction and k == 0 and not turn_given(spec) else f"way({lane})"
     if turn_given(spec):

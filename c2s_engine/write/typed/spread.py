@@ -138,7 +138,7 @@ def _steps_out_at(structure: Structure, spec: ObjectSpec) -> bool:
     """Whether somebody on foot beside the road is placed by a vehicle that stands, nobody says how far from it."""
     by = structure[spec.placement.of].spec if spec.placement.of in structure else None
     stands = isinstance(by, ObjectSpec) and is_vehicle(by.type) and is_static(by)
-    return stands and is_walker(spec.type) and spec.placement.position in MOVES_OFF_ROAD
+    return stands and is_walker(spec) and spec.placement.position in MOVES_OFF_ROAD
 
 
 def _followed(structure: Structure, spec: ObjectSpec) -> ObjectSpec:

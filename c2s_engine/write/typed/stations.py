@@ -91,11 +91,11 @@ def set_back(structure: Structure, cid: str, plan: Plan) -> float:
     spec = structure[cid].spec
     assert isinstance(spec, ObjectSpec)
     beside = structure[spec.placement.of].spec if spec.placement.of in structure else None
-    if isinstance(beside, ObjectSpec) and is_static(spec) and not is_walker(spec.type) and _pulls_out(beside):
+    if isinstance(beside, ObjectSpec) and is_static(spec) and not is_walker(spec) and _pulls_out(beside):
         room = (WIDTH[beside.type] + WIDTH.get(spec.type, 1.0)) / 2 + CLEAR
         return round(max(outwards(beside) + room - outwards(spec), 0.0), 1)
     first = spec.phases[0] if spec.phases else None
-    if first is None or first.trigger is None or not is_walker(spec.type) or not crosses(spec):
+    if first is None or first.trigger is None or not is_walker(spec) or not crosses(spec):
         return 0.0
     t, pace = first.trigger, max(middle(pace_of(spec)), 0.5)
     other = structure[t.of].spec if t.of and t.of in structure else None
@@ -103,7 +103,7 @@ def set_back(structure: Structure, cid: str, plan: Plan) -> float:
     by = structure[spec.placement.hidden_by].spec if spec.placement.hidden_by else None
     if isinstance(by, ObjectSpec):
         far = max(WIDTH[by.type] - inside(by), 0.0)
-    if t.kind == "action" and isinstance(other, ObjectSpec) and is_walker(other.type) and crosses(other):
+    if t.kind == "action" and isinstance(other, ObjectSpec) and is_walker(other) and crosses(other):
         before = _to_middle(structure, other, plan) + set_back(structure, str(t.of), plan)
         due = before / max(middle(pace_of(other)), 0.5) + AFTER - middle(t.delay or 0.0)
     elif t.kind == "distance" and t.value is not None and t.subject in (None, "ego") and plan.ego_speed > 0:
@@ -239,7 +239,7 @@ def between(structure: Structure, spec: ObjectSpec) -> bool:
     """Whether one whom a row beside the road hides comes out from the gap between its last two: on foot, over ego's
     road, and placed by nobody."""
     by = structure[spec.placement.hidden_by].spec if right_behind(spec) else None  # type: ignore[index]
-    if not isinstance(by, ObjectSpec) or not is_walker(spec.type) or not crosses(spec) or spec.count > 1:
+    if not isinstance(by, ObjectSpec) or not is_walker(spec) or not crosses(spec) or spec.count > 1:
         return False
     row = by.count > 1 and is_vehicle(by.type) and by.placement.position in MOVES_OFF_ROAD and along(by) >= 0
     alone = spec.placement.of == "ego" and spec.placement.gap is None
@@ -310,7 +310,7 @@ def exit_gap(spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:
 
 def near_exit(spec: ObjectSpec) -> bool:
     """Whether it stands at the edge of the lane behind the junction."""
-    return is_walker(spec.type) or spec.type == "bicycle"
+    return is_walker(spec) or spec.type == "bicycle"
 
 
 def outwards(spec: ObjectSpec) -> float:
@@ -320,8 +320,8 @@ def outwards(spec: ObjectSpec) -> float:
         out = max(out, round(SEEN_WALKING * middle(pace_of(spec)), 1))
     elif spec.type == "animal" and crosses(spec):  # it comes running
         return max(out, round(SEEN_RUNNING * middle(pace_of(spec)) - 1.75, 1))
-    if is_walker(spec.type):
-        return out
+    if is_walker(spec):
+        return max(out, round(LENGTH[spec.type] / 2 + 0.3, 1))
     if not is_vehicle(spec.type):  # signs and props may be wide
         return max(out, 2.4, WIDTH[spec.type] / 2 + (BEHIND_WALK if spec.type == "building" else 0.5))
     if spec.placement.facing == "across":  # in a bay or a driveway

@@ -7,7 +7,7 @@ import yaml
 from c2s_engine import driving
 from c2s_engine.paths import shipped
 from c2s_engine.structure.quantity import high
-from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.specs import ObjectSpec, Spec
 from c2s_engine.structure.vocabulary import ON_FOOT, VEHICLES
 
 _TABLES: dict[str, Any] = yaml.safe_load(shipped("writer.yaml").read_text())
@@ -25,6 +25,10 @@ LENGTH: dict[str, float] = {k: v["length"] for k, v in _TABLES["types"].items()}
 OBSTRUCTING: dict[str, str] = _TABLES["obstructing"]
 HEIGHT: dict[str, float] = {k: v["height"] for k, v in _TABLES["types"].items() if v.get("height")}
 """m, of what another prop stands in for at another size."""
+USUAL_HEIGHT = 1.0
+"""m, of a thing that moves, whose height is not in the tables."""
+ROLLING: dict[str, str] = _TABLES["rolling"]
+"""What stands in for a thing that moves: class, blueprint, role name."""
 NOTE: dict[str, str] = {k: v["note"] for k, v in _TABLES["types"].items() if v.get("note")}
 """What more is to be said of what stands in."""
 WIDTH: dict[str, float] = {k: v["width"] for k, v in _TABLES["types"].items()}
@@ -34,6 +38,8 @@ WEATHER: dict[str, dict[str, float]] = _TABLES["weather"]
 SUN: dict[str, float] = _TABLES["sun"]
 RESERVED: frozenset[str] = frozenset(_TABLES["reserved"]) | driving.names()
 WORKS = {"construction_zone", "lane_closure"}
+AT_REST = {"stationary", "wait", "stop"}
+"""What things do that lie or stand where they are."""
 FLAT = {"slippery_patch"}
 """What one drives over."""
 MOVES_OFF_ROAD = {"roadside", "sidewalk", "parked"}
@@ -61,13 +67,21 @@ def is_vehicle(kind: str) -> bool:
     return kind in VEHICLES
 
 
-def is_walker(kind: str) -> bool:
-    return kind in ON_FOOT
+def is_walker(spec: Spec | None) -> bool:
+    """Whether it goes as people do: those on foot, animals, and things that move (`is_rolling`)."""
+    return getattr(spec, "type", None) in ON_FOOT or is_rolling(spec)
+
+
+def is_rolling(spec: Spec | None) -> bool:
+    """Whether it is a thing that rolls, slides or is blown along: props of CARLA do not, so a walker stands in."""
+    if not isinstance(spec, ObjectSpec) or is_vehicle(spec.type) or spec.type in {*ON_FOOT, *WORKS, *FLAT}:
+        return False
+    return not {p.action for p in spec.phases} <= AT_REST
 
 
 def is_static(spec: ObjectSpec) -> bool:
     """Whether the object never moves."""
-    if not (is_vehicle(spec.type) or is_walker(spec.type)):
+    if not (is_vehicle(spec.type) or is_walker(spec)):
         return True
     if spec.phases:
         return all(p.action == "stationary" for p in spec.phases)

@@ -79,7 +79,7 @@ def members(structure: Structure, cid: str) -> list[str]:
 
 def every_passed(structure: Structure, cid: str) -> str:
     """The condition under which an object, or the first and the last of its members, has gone by before the car."""
-    margin = ", margin=2.5" if is_walker(getattr(structure[cid].spec, "type", "")) else ""
+    margin = ", margin=2.5" if is_walker(structure[cid].spec) else ""
     return " and ".join(f"passed({one}, self{margin})" for one in members(structure, cid))
 
 
@@ -123,7 +123,7 @@ def in_fog(structure: Structure) -> int:
 
 def on_foot(structure: Structure) -> list[str]:
     """The ids of those who come onto the road on foot: ego stops for them where it brakes for what is in its way."""
-    objects = [(c.id, c.spec) for c in structure.objects if isinstance(c.spec, ObjectSpec) and is_walker(c.spec.type)]
+    objects = [(c.id, c.spec) for c in structure.objects if isinstance(c.spec, ObjectSpec) and is_walker(c.spec)]
     does = {cid: {p.action for p in o.phases} for cid, o in objects}
     return [cid for cid, _ in objects if {"cross_road", "enter_road"} & does[cid] and "collide" not in does[cid]]
 

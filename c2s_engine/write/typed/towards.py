@@ -107,7 +107,7 @@ def its_turn(actor: Actor, besides: str | None = None) -> str:
 def in_next_lane(c: Course, p: Phase) -> bool:
     """Whether the other drives in the lane beside its own, behind it or level with it."""
     spec = c.other(p.target)
-    if spec is None or is_static(spec) or is_walker(spec.type) or c.actor.value <= 0:
+    if spec is None or is_static(spec) or is_walker(spec) or c.actor.value <= 0:
         return False
     along, lane, own = spec.placement.along or spec.placement.position, c.target_lane(p), c.actor.lane
     return None not in (lane, own) and lane != own and along in ("behind", "abreast", "beside")
@@ -130,7 +130,7 @@ def _comes_towards(c: Course, p: Phase) -> bool:
 def _on_foot_behind(c: Course, p: Phase) -> bool:
     """Whether the other is on foot where ego leaves the junction: it is let pass there, not before the junction."""
     spec = c.other(p.target)
-    behind = spec is not None and spec.placement.position == "intersection_exit" and is_walker(spec.type)
+    behind = spec is not None and spec.placement.position == "intersection_exit" and is_walker(spec)
     return behind and c.actor.is_ego
 
 
@@ -145,7 +145,7 @@ def _until_forced(c: Course, p: Phase, other: str) -> list[Step]:
         return _makes_way(c, spec, other)
     if spec.placement.position == "oncoming_lane":
         return _waits_for_oncoming(c, other)
-    if p.target and (is_walker(spec.type) or spec.type == "bicycle"):
+    if p.target and (is_walker(spec) or spec.type == "bicycle"):
         waits = f"until {every_passed(a.structure, p.target)}"
         they = every(a.structure, p.target)
         before = f"lambda: short_of(self, line, [{they}], {c.speed}, 2.5, {ROOM})"

@@ -59,7 +59,7 @@ def slows_before(speed: float, slower: float, rate: float = SLOWS_DOWN) -> Trigg
 def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[float, float]:
     """The initial speed of a road user, m/s: its own, that of its first phase, or the usual one of its kind there, at
     most what is posted; of who is on foot or crosses, that at which it goes."""
-    if isinstance(spec, ObjectSpec) and (crosses(spec) or is_walker(spec.type)):
+    if isinstance(spec, ObjectSpec) and (crosses(spec) or is_walker(spec)):
         return pace_of(spec)
     if spec.speed is not None:
         return spec.speed
@@ -82,7 +82,7 @@ def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[floa
 def pace_of(o: ObjectSpec) -> float | tuple[float, float]:
     """How fast somebody on foot, or who rides over the road, goes when it goes, m/s."""
     stated = [s for s in (o.speed, *(p.speed for p in o.phases)) if s is not None and high(s) > 0]
-    return stated[0] if stated else DEFAULT_SPEED[o.type]["road"] if o.phases or o.speed is None else 0.0
+    return stated[0] if stated else DEFAULT_SPEED.get(o.type, DEFAULT_SPEED["thing"])["road"] if o.phases or o.speed is None else 0.0
 
 
 IN_QUEUE = 3.0
@@ -103,7 +103,7 @@ def spacing_of(o: ObjectSpec) -> float | tuple[float, float]:
     """The m between the members of a row: as stated; nose to tail where parked or in a queue, closer for people."""
     if o.spacing is not None:
         return o.spacing
-    if is_walker(o.type):
+    if is_walker(o):
         return SIDE_BY_SIDE
     queues = o.speed == 0 and o.placement.position in ("ahead", "left_lane", "right_lane", "oncoming_lane")
     return NOSE_TO_TAIL if o.placement.position == "parked" else QUEUED if queues and is_vehicle(o.type) else 3.0
@@ -208,7 +208,7 @@ def at_corner(o: ObjectSpec, place: PlaceSpec) -> bool:
 def uses_crosswalk(o: ObjectSpec) -> bool:
     """Whether somebody crosses by the crosswalk on ego's way, where there is one: not who is placed otherwise."""
     placement = o.placement
-    crosses = is_walker(o.type) and any(p.action == "cross_road" for p in o.phases)
+    crosses = is_walker(o) and any(p.action == "cross_road" for p in o.phases)
     own = placement.gap is not None or placement.of != "ego" or placement.along in ("abreast", "behind")
     return crosses and placement.position in ("roadside", "sidewalk") and not own and not right_behind(o)
 
@@ -216,7 +216,7 @@ def uses_crosswalk(o: ObjectSpec) -> bool:
 def crosses_there(o: ObjectSpec) -> bool:
     """Whether somebody on foot or on a bicycle crosses ego's road, where nothing says how far ahead."""
     placement = o.placement
-    crosses = (is_walker(o.type) or o.type == "bicycle") and any(p.action == "cross_road" for p in o.phases)
+    crosses = (is_walker(o) or o.type == "bicycle") and any(p.action == "cross_road" for p in o.phases)
     own = placement.of != "ego" or placement.along in ("abreast", "behind") or placement.hidden_by
     triggered = any(p.trigger is not None for p in o.phases)
     return crosses and placement.position in ("roadside", "sidewalk") and not own and not triggered
@@ -235,7 +235,7 @@ def rides_beside(o: ObjectSpec) -> bool:
 
 def walks_first(o: ObjectSpec) -> bool:
     """Whether somebody on foot goes along the road before crossing it."""
-    return is_walker(o.type) and bool(o.phases) and o.phases[0].action == "move_along"
+    return is_walker(o) and bool(o.phases) and o.phases[0].action == "move_along"
 
 
 def right_behind(o: ObjectSpec) -> bool:
@@ -247,7 +247,7 @@ def right_behind(o: ObjectSpec) -> bool:
 def crosses(o: ObjectSpec) -> bool:
     """Whether somebody on foot or on a bicycle comes over the road or onto it."""
     does = any(p.action in ("cross_road", "enter_road") for p in o.phases)
-    return does and (is_walker(o.type) or o.type == "bicycle")
+    return does and (is_walker(o) or o.type == "bicycle")
 
 
 TO_BEGIN = 2.0

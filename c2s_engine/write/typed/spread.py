@@ -194,4 +194,4 @@ def _row(spec: ObjectSpec) -> tuple:
     placement = spec.placement
     row = _ROW.get(placement.position, placement.position)
     along = placement.along if row in ("left_lane", "right_lane", "kerb") else None
-    return row, placement.of, placement.side if row == "kerb" else None, along
+    return row, placement.of, placement.side if row in ("kerb", "beside") else None, along

@@ -24,14 +24,14 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
     """At the kerb, on the verge or on the sidewalk along ego's lane."""
     sign, of = stations.along(spec), spec.placement.of
     at = position_constant(structure, cid)
-    if (uses_crosswalk(spec) or right_behind(spec)) and (marked := _crosswalk(plan)):
+    if (uses_crosswalk(spec) or right_behind(spec)) and (marked := crosswalk(plan)):
         beside = stations.next_to(structure, cid)
         line = f"{at} = {marked}" + (f" {'+' if beside > 0 else '-'} {abs(beside)}" if beside else "")
     elif right_behind(spec):  # of what stands in the next lane, or across beside the road
         by = structure[spec.placement.hidden_by or "ego"].spec
         assert isinstance(by, ObjectSpec)
         long = (WIDTH if by.placement.facing == "across" else LENGTH)[by.type]
-        beyond = round((long + LENGTH[spec.type]) / 2 + stations.RIGHT_BEHIND, 2)
+        beyond = round((long + LENGTH[spec.type]) / 2 + stations.RIGHT_BEHIND + stations.past_others(structure, cid), 2)
         line = f"{at} = {position_constant(structure, spec.placement.hidden_by or 'ego')} + {scope.number(beyond)}"
     elif at_corner(spec, plan.place):
         return _corner(structure, spec, at, plan)
@@ -59,7 +59,7 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
     return replace(spot, specifiers=(where, *spot.specifiers[1:]))
 
 
-def _crosswalk(plan: Plan) -> str:
+def crosswalk(plan: Plan) -> str:
     """Where along ego's lane the crosswalk lies; "": there is none."""
     if plan.place.kind == "crosswalk":
         return "EGO_AT + EGO_TO_CROSSWALK"

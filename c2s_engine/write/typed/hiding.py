@@ -4,10 +4,10 @@ from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed import scope, stations
-from c2s_engine.write.typed.beside import beside_road
+from c2s_engine.write.typed.beside import beside_road, crosswalk
 from c2s_engine.write.typed.course import EDGE, HALF_LANE
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.spot import Spot, member
+from c2s_engine.write.typed.spot import Spot, member, position_constant
 from c2s_engine.write.typed.stations import RIGHT_BEHIND
 from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, WIDTH, is_static, is_vehicle
 from c2s_engine.write.typed.usual import (
@@ -17,12 +17,17 @@ from c2s_engine.write.typed.usual import (
     reach,
     right_behind,
     row_length,
+    row_step,
     speed_of,
     while_crossing,
 )
 
 OUT = 0.15
 """m beside a lane of one who is just out of it."""
+SHORT_OF_CROSSWALK = 4.0
+"""m from the middle of a crosswalk to what stands before it."""
+NEXT_LANES = {"left_lane", "right_lane"}
+STANDS = {"stationary", "wait", "stop", "yield"}
 FACES_EGO = {"oncoming_lane", "opposite_approach"}
 
 
@@ -33,14 +38,15 @@ def hidden(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot
     by = spec.placement.hidden_by or "ego"
     what = _spec(structure, by)
     across = what.placement.facing == "across" and what.placement.position in MOVES_OFF_ROAD and what.count == 1
-    if crosses(spec) and (across or what.placement.position in ("left_lane", "right_lane")):
+    if crosses(spec) and (across or what.placement.position in NEXT_LANES):
         return beside_road(structure, cid, spec, plan)
     hider = scope.reference(structure, by).replace("[0]", "[-1]")  # of a row the last
     left, front = spec.placement.side == "left", not faces_ego(structure, by)
-    gap = scope.number(RIGHT_BEHIND)
+    clear = RIGHT_BEHIND + stations.past_others(structure, cid)
+    gap = scope.number(clear)
     where = f"{'ahead of' if front else 'behind'} {hider} by {member(spec, gap)}"
     if crosses(spec) and (off := _out_of_lane(structure, by, plan)):
-        beyond = member(spec, f"{hider}.length / 2 + {scope.number(RIGHT_BEHIND + LENGTH[spec.type] / 2)}")
+        beyond = member(spec, f"{hider}.length / 2 + {scope.number(clear + LENGTH[spec.type] / 2)}")
         sideways = scope.number(-off if left == front else off)
         where = f"at {hider} offset by {sideways} @ {'' if front else '-'}({beyond})"
     elif stations.between(structure, spec):
@@ -48,7 +54,7 @@ def hidden(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot
         sideways = scope.number(deep if left == front else -deep)
         where = f"at {hider} offset by {sideways} @ {'-' if front else ''}{scope.number(short)}"
     elif deep := _deep(structure, cid, by, plan):  # near its face
-        beyond = member(spec, f"{hider}.length / 2 + {scope.number(RIGHT_BEHIND + LENGTH[spec.type] / 2)}")
+        beyond = member(spec, f"{hider}.length / 2 + {scope.number(clear + LENGTH[spec.type] / 2)}")
         sideways = scope.number(deep if left == front else -deep)
         where = f"at {hider} offset by {sideways} @ {'' if front else '-'}({beyond})"
     angle = "-90 deg" if left == front else "90 deg"
@@ -87,9 +93,19 @@ def aside(structure: Structure, cid: str, plan: Plan) -> float:
         return round(left * between - LANE_WIDTH * lanes, 2)
     if spec.placement.position == "partly_in_lane":
         return EDGE if spec.placement.side == "left" else -EDGE
-    who = _hides(structure, cid) if spec.placement.position == "ahead" and is_static(spec) else None
-    to_kerb = round(max(0.0, HALF_LANE + OUT - WIDTH[spec.type] / 2), 2)
-    return 0.0 if who is None else to_kerb if who.placement.side == "left" else -to_kerb
+    if spec.placement.position != "ahead":
+        return 0.0
+    who = _hides(structure, cid)
+    return to_kerb(structure, cid) if who is not None and who.placement.side == "left" else -to_kerb(structure, cid)
+
+
+def to_kerb(structure: Structure, cid: str) -> float:
+    """How far (m) from the middle of its lane, towards whom it hides at the kerb, something stands."""
+    spec, who = _spec(structure, cid), _hides(structure, cid)
+    there = ("ahead",) if who is None or who.placement.side != "left" else ("ahead", "oncoming_lane")
+    if who is None or not is_static(spec) or spec.placement.position not in there:
+        return 0.0
+    return round(max(0.0, HALF_LANE + OUT - WIDTH[spec.type] / 2), 2)
 
 
 def _out_of_lane(structure: Structure, cid: str, plan: Plan) -> float:
@@ -97,13 +113,30 @@ def _out_of_lane(structure: Structure, cid: str, plan: Plan) -> float:
     spec = structure[cid].spec
     if not isinstance(spec, ObjectSpec) or spec.placement.position not in ("ahead", "partly_in_lane", "oncoming_lane"):
         return 0.0
-    return round(HALF_LANE + OUT - abs(aside(structure, cid, plan)), 2)
+    return round(HALF_LANE + OUT - abs(aside(structure, cid, plan) or to_kerb(structure, cid)), 2)
 
 
 def _hides(structure: Structure, cid: str) -> ObjectSpec | None:
     """Who stands by an object that hides him, and crosses ego's road from there."""
     specs = [c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)]
     return next((s for s in specs if right_behind(s) and s.placement.hidden_by == cid and crosses(s)), None)
+
+
+def before_crosswalk(structure: Structure, cid: str, plan: Plan) -> str:
+    """Where along the lane something stands, nobody says where, that hides somebody who crosses by a crosswalk: just
+    before that; "": it is no such thing."""
+    spec, who = _spec(structure, cid), _hides(structure, cid)
+    marked = crosswalk(plan)
+    along = spec.placement.of == "ego" and spec.placement.along != "abreast" and spec.placement.gap is None
+    if who is None or not marked or not along or spec.placement.position not in NEXT_LANES or not _rests(spec):
+        return ""
+    back = SHORT_OF_CROSSWALK + LENGTH[spec.type] / 2 + (spec.count - 1) * row_step(spec)
+    return f"{position_constant(structure, cid)} = {marked} - {scope.number(round(back, 2))}  # m along the lane"
+
+
+def _rests(spec: ObjectSpec) -> bool:
+    """Whether it stands at first."""
+    return is_static(spec) or spec.speed == 0 or spec.phases[:1] != () and spec.phases[0].action in STANDS
 
 
 def standing(structure: Structure) -> Structure:

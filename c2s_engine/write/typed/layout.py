@@ -106,7 +106,7 @@ def _start(
     if right_behind(spec):
         by = placement.hidden_by or "ego"
         hider, last = starts[by], _ends(structure, by, found)[1]
-        beyond = (last.length + LENGTH[spec.type]) / 2 + stations.RIGHT_BEHIND
+        beyond = (last.length + LENGTH[spec.type]) / 2 + stations.RIGHT_BEHIND + stations.past_others(structure, cid)
         to = stations.past_last(structure, spec) if stations.between(structure, spec) else beyond
         ahead = -hider.ahead if faces_ego(structure, by) else hider.ahead
         return replace(hider, s=last.s + ahead * to, y=last.y, onward=ahead)

@@ -6,7 +6,7 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed import ahead, meetings, pockets, scope, stations
 from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.beside import behind_junction, beside_road, by_door
-from c2s_engine.write.typed.hiding import aside, hidden
+from c2s_engine.write.typed.hiding import aside, before_crosswalk, hidden, to_kerb
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.pockets import pocket_name
@@ -108,7 +108,7 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
             f" + {scope.quantity(gap)}" if gap else ""
         )]  # fmt: skip
     else:
-        lines = [measured(structure, cid, spec, plan, sign)]
+        lines = [before_crosswalk(structure, cid, plan) or measured(structure, cid, spec, plan, sign)]
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
     if way_beside := offset(spec, ego, plan.place):
@@ -182,9 +182,14 @@ def _oncoming(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> S
     line = measured(structure, cid, spec, plan, 1)
     at = position_constant(structure, cid)
     loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
+    where: tuple[str, ...] = (f"at place.oncoming_lane.centerline.pointAlongBy(-({member(spec, at)}))",)
+    if side := to_kerb(structure, cid):
+        lane, along = "place.oncoming_lane", f"-({member(spec, at)})"
+        where = (f"at beside({lane}.centerline, {lane}, {along}, {scope.number(side)})", f"facing heading_at({lane}, {along})")
+        loose = ("with regionContainedIn everywhere",)
     return Spot(
         (line,),
-        (f"at place.oncoming_lane.centerline.pointAlongBy(-({member(spec, at)}))", *loose),
+        (*where, *loose),
         "way(place.oncoming_lane)",
     )
 

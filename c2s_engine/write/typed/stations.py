@@ -20,6 +20,7 @@ from c2s_engine.write.typed.tables import (
 )
 from c2s_engine.write.typed.usual import (
     NOSE_TO_TAIL,
+    SIDE_BY_SIDE,
     SLOWS_DOWN,
     crosses,
     crosses_there,
@@ -29,6 +30,7 @@ from c2s_engine.write.typed.usual import (
     pace_of,
     reach,
     right_behind,
+    row_length,
     row_step,
     speed_of,
     uses_crosswalk,
@@ -232,7 +234,7 @@ def from_hider(structure: Structure, of: str) -> float:
         return 0.0
     by = structure[spec.placement.hidden_by or "ego"].spec
     assert isinstance(by, ObjectSpec)
-    return past_last(structure, spec) + (by.count - 1) * row_step(by)
+    return past_last(structure, spec) + past_others(structure, of) + (by.count - 1) * row_step(by)
 
 
 def between(structure: Structure, spec: ObjectSpec) -> bool:
@@ -253,6 +255,18 @@ def past_last(structure: Structure, spec: ObjectSpec) -> float:
     if between(structure, spec):
         return -row_step(by) / 2
     return (LENGTH[by.type] + LENGTH[spec.type]) / 2 + RIGHT_BEHIND
+
+
+def past_others(structure: Structure, cid: str) -> float:
+    """How much further along the road (m) than right there one stands by what hides it: past those named before it."""
+    by, taken = structure[cid].spec.placement.hidden_by, 0.0  # type: ignore[union-attr]
+    for component in structure.objects:
+        spec = component.spec
+        if component.id == cid:
+            break
+        if isinstance(spec, ObjectSpec) and right_behind(spec) and spec.placement.hidden_by == by:
+            taken += 0.0 if between(structure, spec) else row_length(spec) + SIDE_BY_SIDE
+    return taken
 
 
 def hiding_member(structure: Structure, spec: ObjectSpec) -> str:

@@ -17,7 +17,17 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.reactions import reacting_phases
 from c2s_engine.write.typed.spread import spread
-from c2s_engine.write.typed.tables import BLUEPRINTS, HEIGHT, LENGTH, NOTE, ROLLING, TIMED, USUAL_HEIGHT, is_rolling, is_static
+from c2s_engine.write.typed.tables import (
+    BLUEPRINTS,
+    HEIGHT,
+    LENGTH,
+    NOTE,
+    ROLLING,
+    TIMED,
+    USUAL_HEIGHT,
+    is_rolling,
+    is_static,
+)
 from c2s_engine.write.typed.threats import threatening
 from c2s_engine.write.typed.usual import crosses, default_gap, speed_of
 from c2s_engine.write.typed.watching import with_value
@@ -59,8 +69,8 @@ def _decided(structure: Structure, written: Structure, plan: Plan, cid: Componen
     rolls = is_rolling(asked)
     if isinstance(asked, ObjectSpec) and (rolls or asked.type in HEIGHT and asked.model is None):
         kind, stands_in = asked.type.replace("_", " "), ROLLING["blueprint"] if rolls else BLUEPRINTS[asked.type][0]
-        reason = f"CARLA has no {kind}{' that moves' if rolls else ''}: {stands_in} stands in, as large as one in the dry "
-        reason += f"run{NOTE.get(asked.type, '')}"
+        kind += " that moves" if rolls else ""
+        reason = f"CARLA has no {kind}: {stands_in} stands in, as large as one in the dry run{NOTE.get(asked.type, '')}"
         size = f"{LENGTH[asked.type]:g} m long, {HEIGHT.get(asked.type, USUAL_HEIGHT):g} m high"
         yield Assumption(field="model", value=size, reason=reason, by=BY)
     if isinstance(asked, SettingsSpec):

@@ -185,7 +185,8 @@ def _oncoming(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> S
     where: tuple[str, ...] = (f"at place.oncoming_lane.centerline.pointAlongBy(-({member(spec, at)}))",)
     if side := to_kerb(structure, cid):
         lane, along = "place.oncoming_lane", f"-({member(spec, at)})"
-        where = (f"at beside({lane}.centerline, {lane}, {along}, {scope.number(side)})", f"facing heading_at({lane}, {along})")
+        at_kerb = f"at beside({lane}.centerline, {lane}, {along}, {scope.number(side)})"
+        where = (at_kerb, f"facing heading_at({lane}, {along})")
         loose = ("with regionContainedIn everywhere",)
     return Spot(
         (line,),

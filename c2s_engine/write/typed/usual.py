@@ -82,7 +82,8 @@ def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[floa
 def pace_of(o: ObjectSpec) -> float | tuple[float, float]:
     """How fast somebody on foot, or who rides over the road, goes when it goes, m/s."""
     stated = [s for s in (o.speed, *(p.speed for p in o.phases)) if s is not None and high(s) > 0]
-    return stated[0] if stated else DEFAULT_SPEED.get(o.type, DEFAULT_SPEED["thing"])["road"] if o.phases or o.speed is None else 0.0
+    usual = DEFAULT_SPEED.get(o.type, DEFAULT_SPEED["thing"])["road"]
+    return stated[0] if stated else usual if o.phases or o.speed is None else 0.0
 
 
 IN_QUEUE = 3.0

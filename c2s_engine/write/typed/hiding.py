@@ -2,7 +2,7 @@
 
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec
 from c2s_engine.write.typed import scope, stations
 from c2s_engine.write.typed.beside import beside_road, crosswalk
 from c2s_engine.write.typed.course import EDGE, HALF_LANE
@@ -11,6 +11,7 @@ from c2s_engine.write.typed.spot import Spot, member, position_constant
 from c2s_engine.write.typed.stations import RIGHT_BEHIND
 from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, WIDTH, is_static, is_vehicle
 from c2s_engine.write.typed.usual import (
+    CLOSEST,
     NOSE_TO_TAIL,
     crosses,
     pace_of,
@@ -148,6 +149,9 @@ def standing(structure: Structure) -> Structure:
         spec, who = component.spec, _hides(structure, component.id)
         if isinstance(spec, ObjectSpec) and (rests := _from_rest(spec)) is not spec:
             structure = structure.with_spec(component.id, rests)
+            spec = rests
+        if isinstance(spec, ObjectSpec) and stations.hides_beside(structure, spec) is not None and _open(spec):
+            structure = structure.with_spec(component.id, placement=_beyond(spec))
         if who is None or not isinstance(spec, ObjectSpec):
             continue
         if spec.phases and spec.phases[0].action == "stop":
@@ -172,11 +176,25 @@ def standing(structure: Structure) -> Structure:
     return structure
 
 
+def _open(spec: ObjectSpec) -> bool:
+    """Whether nobody says how far ahead of ego it starts."""
+    return spec.placement.of == "ego" and spec.placement.gap is None and spec.placement.along in (None, "ahead")
+
+
+def _beyond(spec: ObjectSpec) -> Placement:
+    """Where a vehicle starts that something beside the road hides: next to that, and in a driveway if it backs out."""
+    at = spec.placement
+    backs = at.position != "parked" and any(p.action == "reverse" for p in spec.phases[:1])
+    facing = "across" if backs and at.facing is None else at.facing
+    return at.model_copy(update={"of": at.hidden_by, "along": "ahead", "gap": CLOSEST, "facing": facing})
+
+
 def _from_rest(spec: ObjectSpec) -> ObjectSpec:
     """A vehicle that pulls out from beside the road or backs out of there stands until then."""
     first = spec.phases[0] if spec.phases else None
     comes = first is not None and first.action in ("enter_road", "reverse") and is_vehicle(spec.type)
-    if first is None or not comes or not spec.speed or crosses(spec) or spec.placement.position not in MOVES_OFF_ROAD:
+    drives = spec.speed or spec.speed is None and first is not None and first.trigger is not None
+    if first is None or not comes or not drives or crosses(spec) or spec.placement.position not in MOVES_OFF_ROAD:
         return spec
     moves = first.model_copy(update={"speed": first.speed if first.speed is not None else spec.speed})
     return spec.model_copy(update={"speed": 0.0, "phases": (moves, *spec.phases[1:])})

@@ -68,6 +68,8 @@ TO_STAND = 12.0
 """m that one drives, before it brakes, to a line at which it waits for ego, and that lie behind the line."""
 INSIDE = 1.1
 """m behind the face of a wide thing where somebody stands whom it hides."""
+COVERED = 0.2
+"""m by which a vehicle stands further from the road than the face of what hides it."""
 AT_DOOR = 0.1
 """m from a vehicle to who stands at its door."""
 CLEAR = 0.4
@@ -96,6 +98,9 @@ def set_back(structure: Structure, cid: str, plan: Plan) -> float:
     if isinstance(beside, ObjectSpec) and is_static(spec) and not is_walker(spec) and _pulls_out(beside):
         room = (WIDTH[beside.type] + WIDTH.get(spec.type, 1.0)) / 2 + CLEAR
         return round(max(outwards(beside) + room - outwards(spec), 0.0), 1)
+    if (hider := hides_beside(structure, spec)) is not None:
+        own = (LENGTH if spec.placement.facing == "across" else WIDTH)[spec.type] / 2
+        return round(max(outwards(hider) - WIDTH[hider.type] / 2 + own + COVERED - outwards(spec), 0.0), 1)
     first = spec.phases[0] if spec.phases else None
     if first is None or first.trigger is None or not is_walker(spec) or not crosses(spec):
         return 0.0
@@ -118,6 +123,15 @@ def set_back(structure: Structure, cid: str, plan: Plan) -> float:
     else:
         return 0.0
     return round(min(max(due * pace - own, -near), far), 1)
+
+
+def hides_beside(structure: Structure, spec: ObjectSpec) -> ObjectSpec | None:
+    """What hides a vehicle beside the road that comes from there, itself on that side of the road; None: nothing."""
+    by = structure[spec.placement.hidden_by].spec if spec.placement.hidden_by in structure else None
+    if not isinstance(by, ObjectSpec) or right_behind(spec) or spec.placement.position not in MOVES_OFF_ROAD:
+        return None
+    same = (by.placement.side == "left") == (spec.placement.side == "left")
+    return by if same and by.placement.position in MOVES_OFF_ROAD else None
 
 
 def _pulls_out(spec: ObjectSpec) -> bool:

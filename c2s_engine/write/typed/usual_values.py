@@ -9,6 +9,7 @@ from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.people import states_when
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.spread import spread
+from c2s_engine.write.typed.stations import hides_beside
 from c2s_engine.write.typed.tables import TIMED, is_static
 from c2s_engine.write.typed.usual import crosses, default_gap, right_behind, speed_of, uses_crosswalk
 
@@ -44,7 +45,8 @@ def usual_values(structure: Structure, room: float) -> Usual:
         meets = timed and spec.placement.gap is None or crosses(spec)
         if meets and not any(p.trigger for p in spec.phases[:1]) and not (crosses(spec) and states_when(spec)):
             later[component.id] = middle(spec.placement.later or 0.0)
-        elsewhere = right_behind(spec) or plan.place.kind == "crosswalk" and uses_crosswalk(spec)
+        elsewhere = right_behind(spec) or hides_beside(written, spec) is not None
+        elsewhere = elsewhere or plan.place.kind == "crosswalk" and uses_crosswalk(spec)
         if spec.placement.position not in TIMED and not elsewhere:
             gap = spec.placement.gap
             gaps[component.id] = middle(gap) if gap is not None else default_gap(spec, plan.ego_speed, plan.place)

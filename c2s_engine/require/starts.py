@@ -145,10 +145,12 @@ def _ahead(requirement: Requirement, evidence: Evidence, otherwise: bool) -> boo
 
 
 def start_side(requirement: Requirement, evidence: Evidence) -> Result:
+    """Of who comes to ego's junction from another arm, on which side that joins: it may bend."""
     fact, said = _fact(requirement, evidence), str(requirement.values["side"])
     if fact is None:
         return unknown(requirement, said, "one of the two is not there")
-    sides = [r.rpartition("_")[2] for r in fact.relations if "_" in r] or \
+    sides = [lane.rpartition("_")[2] for lane in fact.lanes if lane.startswith("crossing_")] or \
+        [r.rpartition("_")[2] for r in fact.relations if "_" in r] or \
         [r for r in fact.relations if r in ("left", "right")]  # fmt: skip
     return decided(requirement, said in sides, said, ", ".join(sides), 0.0)
 

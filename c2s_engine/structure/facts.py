@@ -36,7 +36,8 @@ class EventFact(_Frozen):
 class StartFact(_Frozen):
     """How an object stands to another at the start (FORMAT.md `starts`).
 
-    `relations`: every half-plane and quadrant that holds. `lanes`: every lane relation that holds.
+    `relations`: every half-plane and quadrant that holds. `lanes`: every lane relation that holds (`crossing` with
+    `crossing_left` or `crossing_right`: the side from which that road joins the other's).
     `gap`: m between the two bounding boxes, along the road where both are on it.
     """
 

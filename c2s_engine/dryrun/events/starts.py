@@ -70,8 +70,7 @@ def lane_relations(seen: Seen, other: Seen, situation: Situation) -> tuple[str, 
         found.append("oncoming")
     if not found or found == ["oncoming"]:
         approach = _approach(seen, other, situation)
-        if approach and approach not in found:
-            found.append(approach)
+        found += [name for name in approach if name not in found]
     return tuple(dict.fromkeys(found))
 
 
@@ -96,18 +95,18 @@ def _oncoming(situation: Situation, lane: int, way: set[int]) -> bool:
     return any(lane in index.lanes[i].opposite or i in index.lanes[lane].opposite for i in way)
 
 
-def _approach(seen: Seen, other: Seen, situation: Situation) -> str | None:
-    """oncoming or crossing: by the directions in which the two come to the same intersection or roundabout, which has
-    a junction for each of its arms."""
+def _approach(seen: Seen, other: Seen, situation: Situation) -> tuple[str, ...]:
+    """oncoming, or crossing and from which side: by the directions in which the two come to the same intersection or
+    roundabout, which has a junction for each of its arms."""
     ahead, theirs = _next_junction(int(seen.lanes[0]), situation), _next_junction_of(other, situation)
     if ahead is None or theirs is None:
-        return None
+        return ()
     if ahead[0] != theirs[0] and not all(in_ring(situation, junction) for junction, _ in (ahead, theirs)):
-        return None
-    turn = abs(float(wrap(ahead[1] - theirs[1])))
-    if turn > np.radians(135):
-        return "oncoming"
-    return "crossing" if turn > np.radians(40) else None
+        return ()
+    turn = float(wrap(ahead[1] - theirs[1]))
+    if abs(turn) > np.radians(135):
+        return ("oncoming",)
+    return ("crossing", f"crossing_{'right' if turn > 0 else 'left'}") if abs(turn) > np.radians(40) else ()
 
 
 def _next_junction(lane: int, situation: Situation) -> tuple[str, float] | None:

@@ -7,9 +7,9 @@ from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.lateral import LATERAL
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.overtakings import nearest
-from c2s_engine.write.typed.steps import AT_LINE, Step, steps
+from c2s_engine.write.typed.steps import AT_LINE, IN_JUNCTION, Step, steps
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, TURN
-from c2s_engine.write.typed.towards import its_turn
+from c2s_engine.write.typed.towards import SETS_OFF, its_turn
 from c2s_engine.write.typed.triggers import implicit, stated
 from c2s_engine.write.typed.usual import SETS_OUT, SLOWS_DOWN, slows_before
 from c2s_engine.write.typed.watching import watched
@@ -76,6 +76,9 @@ def _steps(course: Course) -> list[Step]:
         if condition:
             if not done:
                 done.append(([course.drive()], ""))
+            if phase.trigger is None and done[-1][1] == IN_JUNCTION:  # then only: no sooner, and for its answer no later
+                answers = getattr(course.actor.spec, "reaction", "none") not in ("none", "yield")
+                condition = f"{IN_JUNCTION} and ({condition.removeprefix('until ')})" if answers else IN_JUNCTION
             reached = done[-1][1] if phase.trigger and phase.trigger.kind == "action" else ""
             if reached.startswith("until self.speed"):  # it finishes what it does: what others do can still be seen
                 condition = f"{reached} and {condition.removeprefix('until ')}"
@@ -138,7 +141,7 @@ def _gives_way_first(phases: list[Phase]) -> list[Phase]:
 def _before_junction(actor: Actor, phases: list[Phase]) -> bool:
     """Whether the stop that comes last in these phases is for the junction: nobody on ego's own way is there to stop
     for, and it has not turned yet."""
-    if {p.action for p in phases} & TURN.keys() or any(p.action == "collide" for p in actor.spec.phases):
+    if {p.action for p in phases[:-1]} & SETS_OFF or any(p.action == "collide" for p in actor.spec.phases):
         return False
     specs = [c.spec for c in actor.structure.objects if isinstance(c.spec, ObjectSpec)]
     return not actor.is_ego or all(s.placement.position in ELSEWHERE for s in specs)
@@ -205,7 +208,7 @@ def phases_of(actor: Actor) -> list[Phase]:
         if i == 0 and actor.sets_out and actor.value <= 0 and phase.action in STANDS:
             phases[i] = phase.model_copy(update={"action": "wait"})  # it stands at its line
             continue
-        under_way = {"start", *TURN} & {p.action for p in phases[:i]}  # it stops in the junction, not before it
+        under_way = SETS_OFF & {p.action for p in phases[:i]}  # it stops in the junction, not before it
         stands = phase.action == "stop" and not under_way or i == 0 and actor.sets_out
         onward = then is not None and then.action in ONWARD
         if stands and phase.trigger is None and (onward or _before_junction(actor, phases[: i + 1])):

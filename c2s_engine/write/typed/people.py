@@ -1,5 +1,7 @@
 """Who crosses ego's way from beside the road, on foot or riding: when they set out, how far they go."""
 
+from itertools import takewhile
+
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.crossers import ANSWERS, before_whom
 from c2s_engine.structure.facts import EGO
@@ -9,7 +11,7 @@ from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.meetings import way_of_ego
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import at_door, inside, way_out
-from c2s_engine.write.typed.tables import LANE_NAME, LENGTH, MOVES_OFF_ROAD, WIDTH, is_walker
+from c2s_engine.write.typed.tables import LANE_NAME, LENGTH, MOVES_OFF_ROAD, RUNS, WIDTH, is_walker
 from c2s_engine.write.typed.threats import is_hit, room_left
 from c2s_engine.write.typed.usual import crosses, pace_of, speed_of, walks_first
 from c2s_engine.write.typed.watching import watched, watches
@@ -110,7 +112,7 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, again
     stays = spec.phases[at].action == "enter_road" or _stays(spec.phases[at + 1 : at + 2])
     if spec.phases[at].action == "cross_road" and _stays(spec.phases[at + 1 : at + 2]):
         ahead = max(GONE / pace, _to_slow(structure, plan))
-    elif _ego_reacts(structure) and not _left_to_itself(structure, cid):
+    elif _ego_reacts(structure, spec) and not _left_to_itself(structure, cid):
         by = structure[spec.placement.hidden_by].spec if spec.placement.hidden_by else None
         covered = inside(by) if isinstance(by, ObjectSpec) else 0.0
         seen = (way_out(structure, spec, plan.place) - covered) / pace
@@ -264,7 +266,7 @@ def comes_out(structure: Structure, cid: str, plan: Plan, phase: Phase, pace: fl
     spec = structure[cid].spec if cid in structure else None
     if not isinstance(spec, ObjectSpec) or spec.placement.position not in MOVES_OFF_ROAD or _stated_by(phase):
         return ""
-    meets, reacts = _meets(structure, cid, spec), _ego_reacts(structure)
+    meets, reacts = _meets(structure, cid, spec), _ego_reacts(structure, spec)
     if _ego_stays(structure, plan) or not (meets or reacts or spec.placement.arrives is not None):
         return ""
     corner = CORNER / max(pace, 0.5) if phase.action == "reverse" else 0.0
@@ -331,9 +333,13 @@ def _ego_stays(structure: Structure, plan: Plan) -> bool:
     return plan.ego_speed <= 0 and all(p.action in ON_LANE | {"yield"} for p in phases)
 
 
-def _ego_reacts(structure: Structure) -> bool:
+def _ego_reacts(structure: Structure, spec: ObjectSpec) -> bool:
+    """Whether ego does something about somebody: not what it does once it has run past its line, beyond them."""
     ego = structure.ego.spec
-    return isinstance(ego, EgoSpec) and (ego.reaction != "none" or any(p.action in ANSWERS for p in ego.phases))
+    assert isinstance(ego, EgoSpec)
+    beyond = spec.placement.position == "intersection_exit"
+    phases = takewhile(lambda p: beyond or p.action not in RUNS, ego.phases)
+    return ego.reaction != "none" or any(p.action in ANSWERS for p in phases)
 
 
 def _left_to_itself(structure: Structure, cid: str) -> bool:
@@ -354,11 +360,11 @@ def _how_far(structure: Structure, cid: str, phase: Phase, then: Phase | None, h
     """To the other side of the road, or as far as what comes next asks; who comes onto it is in ego's way then."""
     if phase.abandoned:
         return f"to_kerb(self, {heading}, {scope.number(middle(phase.clearance or SHORT_OF_KERB))})"
-    remains = then is None and phase.action == "enter_road" and _ego_reacts(structure)
+    spec = structure[cid].spec
+    assert isinstance(spec, ObjectSpec)
+    remains = then is None and phase.action == "enter_road" and _ego_reacts(structure, spec)
     returns = then is not None and then.action == "leave_road"
     if remains or returns or then is not None and _stays((then,)):
-        spec = structure[cid].spec
-        assert isinstance(spec, ObjectSpec)
         corner = {"front_left": 1, "front_right": -1}.get(_egos_part(structure, cid, spec) or "", 0)
         further = corner * (-1 if spec.placement.side == "left" else 1) * AT_CORNER
         return "along_line(line, self.position)[1]" + (f" {'+' if further > 0 else '-'} {AT_CORNER}" if corner else "")

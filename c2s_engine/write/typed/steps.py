@@ -18,7 +18,7 @@ from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_there, swerves_by, swerves_too_late
 from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.people import BACKS_OUT, PULLS_OUT
-from c2s_engine.write.typed.tables import LANE_WIDTH, MOVES_OFF_ROAD, RAMP
+from c2s_engine.write.typed.tables import LANE_WIDTH, MOVES_OFF_ROAD, RAMP, TURN
 from c2s_engine.write.typed.threats import every
 from c2s_engine.write.typed.towards import IN_MIDDLE, ROOM, SHORT, ending, held_for, yields
 from c2s_engine.write.typed.usual import SETS_OUT, crosses, reach
@@ -30,6 +30,8 @@ BROKEN_OFF = 1.7
 BEYOND_EDGE = 4
 """m beyond the road's edge to where who leaves it heads."""
 STANDS = ("stop", "stationary", "wait")
+IN_JUNCTION = "until self._intersection"
+"""When one is in the junction."""
 HITS_SOON = "for 1 seconds"
 """How long one leaves its lane that then hits another."""
 BACKING = 4.0
@@ -81,12 +83,19 @@ def _over_junction(c: Course, p: Phase) -> list[Step]:
     then = next(iter(phases[phases.index(p) + 1 :]), None) if p in phases else None
     if then is not None and held_for(c, then):  # it stops in the middle of its turn
         return [([c.drive(goal)], "until self.speed > 1.5")] if c.held else []
-    over = [([c.drive(goal)], "until self._intersection"), ([c.drive(goal)], "until not self._intersection")]
+    over = [([c.drive(goal)], IN_JUNCTION), ([c.drive(goal)], "until not self._intersection")]
     over = over[c.held :]
     if not c.aside or p.action == "go_straight":
         return over
     c.aside = ""  # it turned from beside another
     return [*over, ([c.drive(goal)], "")]
+
+
+def _past_line(c: Course, p: Phase) -> list[Step]:
+    """Past its red light or its stop sign: what comes next, of its own accord, begins in the junction."""
+    goal, then = c.set(c.wanted(p, _moving(c))), _then(c, p)
+    over = then is not None and then.action not in TURN and hit_next(c, p) is None
+    return [([c.drive(goal, middle(p.rate) if p.rate else None)], ending(p, IN_JUNCTION if over else ""))]
 
 
 def _stationary(c: Course, p: Phase) -> list[Step]:
@@ -352,6 +361,8 @@ _OF: dict[str, Callable[[Course, Phase], list[Step]]] = {
     "turn_left": _over_junction,
     "turn_right": _over_junction,
     "go_straight": _over_junction,
+    "run_red": _past_line,
+    "run_stop": _past_line,
     "u_turn": _u_turn,
     "enter_road": _enter_road,
     "leave_road": _leave_road,
@@ -361,4 +372,4 @@ _OF: dict[str, Callable[[Course, Phase], list[Step]]] = {
     "lose_control": loses_control,
     "collide": collides,
 }
-"""The others (keep_lane, run_red, run_stop, cross_road and move_along of riders) keep the lane."""
+"""The others (keep_lane, cross_road and move_along of riders) keep the lane."""

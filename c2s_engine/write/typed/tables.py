@@ -58,6 +58,8 @@ LANE_NAME = {
     -2: "place.far_right_lane", -1: "place.right_lane", 0: "place.lane", 1: "place.left_lane", 2: "place.far_left_lane",
 }  # fmt: skip
 TURN = {"turn_left": "LEFT_TURN", "turn_right": "RIGHT_TURN", "go_straight": "STRAIGHT", "u_turn": "U_TURN"}
+RUNS = {"run_red", "run_stop"}
+"""What one does that passes its light or its sign."""
 BEARING = {"left": "90 deg", "right": "-90 deg", "u_turn": "180 deg"}
 """Where ego leaves a roundabout, to the left of where it came from."""
 

@@ -7,11 +7,12 @@ from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.collisions import Step
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.order import goes_after, turns_left
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, TURN, WORKS, is_static, is_vehicle, is_walker
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, RUNS, TURN, WORKS, is_static, is_vehicle, is_walker
 from c2s_engine.write.typed.threats import every, every_passed, standing
 from c2s_engine.write.typed.usual import SETS_OUT, walks_first
 
-SETS_OFF = {*TURN, "start"}
+SETS_OFF = {*TURN, *RUNS, "start"}
+"""What one does that then is in the junction, or on its way there, and no longer before it."""
 HOLDS = {"stop", "wait"}
 STAYS = {*HOLDS, "yield", "stationary"}
 """What one who has let another pass does that stays where it stands."""

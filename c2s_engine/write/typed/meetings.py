@@ -9,7 +9,7 @@ from itertools import takewhile
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import behaviour, scope
 from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.course import Actor
@@ -96,7 +96,7 @@ def start(structure: Structure, cid: str, plan: Plan, lane: str, line: str, at: 
     """The constants that place somebody who meets ego, the last of them the m from its start to the junction, or `at`
     where it starts on ego's lane."""
     found, prefix, spec = meeting(structure, cid, plan), scope.constant(structure, cid), structure[cid].spec
-    egos = _egos_way(structure, plan)
+    egos = _egos_way(structure, cid, plan)
     if found is None or egos is None:
         return None
     if found.clear is None:
@@ -155,18 +155,18 @@ def _too_late(structure: Structure, cid: str) -> str:
     return f", late={scope.number(late_rate(ego.hard) + DRAG)}" if brakes else ""
 
 
-def _egos_way(structure: Structure, plan: Plan) -> tuple[str, str] | None:
-    """How ego drives to where ways cross, as arguments: its way, start and speed, then where it stands or is slower on
+def _egos_way(structure: Structure, cid: str, plan: Plan) -> tuple[str, str] | None:
+    """How ego drives to where its way and that of an object cross, as arguments: its way, start and speed, then where it stands or is slower on
     it; None where that is not known before the run."""
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
     own = ego.model_copy(update={"phases": reacting_phases(ego, threatening(structure), structure, plan)})
     phases = behaviour.phases_of(Actor("E", own, structure, plan, "", 0, "EGO_SPEED", plan.ego_speed))
     speed, more = "EGO_SPEED", ""
-    before = list(takewhile(_up_to_it, phases))  # what it does on its way there
+    before = list(takewhile(lambda p: _up_to_it(p) and not _for_it(p, ego, cid), phases))  # what it does on its way
     standing = next((i for i, p in enumerate(before) if p.action in STANDS_FOR), len(phases))
     if standing < len(phases) and not (standing and plan.ego_speed <= 0):
-        held = _stands_for(phases[standing:])
+        held = _stands_for(phases[standing:], structure if plan.ego_speed <= 0 else None)
         if held is None:
             return None
         at_line = f"stop_line(place.lane) - {scope.number(1 + LENGTH[ego.type] / 2)}"
@@ -183,16 +183,32 @@ def _up_to_it(phase: Phase) -> bool:
     return phase.action not in TURN and not (phase.trigger and phase.trigger.kind == "contact")
 
 
-def _stands_for(phases: list[Phase]) -> float | None:
+def _for_it(phase: Phase, ego: EgoSpec, cid: str) -> bool:
+    """Whether ego stops there for an object as that comes: unhindered it would drive on."""
+    whom = phase.target or (ego.react_to if ego.reaction == "brake" else None)
+    return phase.action == "stop" and phase.trigger is None and whom == cid
+
+
+def _stands_for(phases: list[Phase], structure: Structure | None) -> float | None:
     """How long one stands (s) that begins so until it would go on, or lets another pass; None where that is not known
-    before the run."""
+    before the run. With the structure of one that stands from the first: until the moment that S says."""
     held = 0.0
     for phase in phases:
         gives_way = phase.action == "yield" or any(t and t.kind == "passed" for t in (phase.trigger, phase.until))
         if gives_way or phase.action not in STANDS_FOR:
-            return held if gives_way or phase.trigger is None else None
+            if gives_way or phase.trigger is None:
+                return held
+            return _moment(structure, phase.trigger) if structure else None
         held += middle(phase.duration) if phase.duration is not None else STANDS_FOR[phase.action]
     return None
+
+
+def _moment(structure: Structure, t: Trigger) -> float | None:
+    """When (s) something comes about of which S says the time, as of a light that changes then; None: it says none."""
+    if t.kind == "light":
+        changes = getattr(structure.settings.spec, "light_changes", ())
+        return next((_moment(structure, c.when) for c in changes if c.to == t.light), None)
+    return middle(t.value) + middle(t.delay or 0.0) if t.kind == "time" and t.value is not None else None
 
 
 def _slower(phases: list[Phase], lane: str = "place.lane") -> str:

@@ -7,7 +7,7 @@ from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.lanes import all_phases
-from c2s_engine.write.typed.tables import JUNCTION, LENGTH, RAMP, TURN, is_static, is_vehicle
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, JUNCTION, LENGTH, RAMP, TURN, is_static, is_vehicle
 from c2s_engine.write.typed.usual import at_corner, default_gap, row_length, speed_of
 
 MERGES_SOON = 40.0
@@ -22,6 +22,8 @@ SHORTEST = 0.4
 """The least share of the wanted way to a junction; a map that has not even that may have it across another one."""
 PAST = 25.0
 """m from behind another to where the one that overtook it is well past."""
+INSIDE = 28.0
+"""m from there where others come to a wide junction, and ego, to where their ways cross."""
 _BESIDE = {"partly_in_lane", "parked", "roadside", "sidewalk"}
 
 
@@ -121,6 +123,7 @@ def distance(
         min(35.0, 6.0 * speed),
         12.0,
         *(_to_pass(o, speed, place) for o in objects.values()),
+        *(_to_meet(o, speed, place) for o in objects.values()),
         *(_to_overtake(cid, o, ego, speed, place) for cid, o in objects.items()),
     )
     if place.kind in RAMP:  # the whole acceleration lane comes first where something is to happen at its end
@@ -140,6 +143,14 @@ def _to_pass(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
     gap = middle(o.placement.gap) if o.placement.gap is not None else default_gap(o, ego_speed, place)
     closing = 1 - middle(speed_of(o, place)) / ego_speed
     return min((gap + 12) / closing, 90.0) if closing > 0.2 else 0
+
+
+def _to_meet(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
+    """How far (m) ego is from the junction when one that comes by another road is at it, however slowly, that is then
+    in ego's way together with ego."""
+    own = middle(speed_of(o, place))
+    comes = o.placement.position in APPROACH_ANGLE and o.placement.gap is None and is_vehicle(o.type)
+    return min((ego_speed / own - 1) * INSIDE, LONGEST_APPROACH) if comes and 0 < own < ego_speed else 0
 
 
 def _to_overtake(cid: str, o: ObjectSpec, ego: EgoSpec, ego_speed: float, place: PlaceSpec) -> float:

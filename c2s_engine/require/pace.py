@@ -30,8 +30,9 @@ def required(scene: Scene) -> Iterator[Requirement]:
     then = [f"{component_of(actor)}.phases.{i}.{p.action}" for actor, i, p in scene.phases()
             if i and p.action in ("follow", "stationary", "wait")]  # fmt: skip
     then += [key.removesuffix("follow") + "gap" for key in then if key.endswith("follow")]  # it has come to that
-    timed = max((high(p.trigger.value) for _, _, p in scene.phases()
-                 if p.trigger and p.trigger.kind == "time" and p.trigger.value is not None), default=0.0)  # fmt: skip
+    changes = getattr(scene.structure.settings.spec, "light_changes", ())
+    awaited = [*(p.trigger for _, _, p in scene.phases()), *(c.when for c in changes)]
+    timed = max((high(t.value) for t in awaited if t and t.kind == "time" and t.value is not None), default=0.0)
     if any(p.trigger and p.trigger.place == "merge_end" for _, _, p in scene.phases()):
         timed = max(timed, bounds()["pace"]["merge"]["value"])  # the whole acceleration lane comes first
     lasting = max((high(p.duration) for _, _, p in scene.phases() if p.duration is not None), default=0.0)

@@ -316,9 +316,9 @@ def approach(ego_way, angle, turn, outer=False):
 
 def pocket(lane):
     """Where one waits whom others pass on an approach: the lane to the left of theirs, or the left side of their own;
-    how far (m) it stands to the left of its middle there."""
+    how far (m) it stands to the left of its middle there, clear of who comes the other way."""
     faster = lane and lane.sections[-1]._fasterLane
-    return faster and (faster.lane, 0) or lane and (lane, 1.7)
+    return faster and (faster.lane, 0) or lane and (lane, 0.85)
 
 def ring_approach(ego_way, angle):
     """A lane into the roundabout of `ego_way` whose arm is turned by `angle` (degrees, anticlockwise) to ego's."""

@@ -10,7 +10,7 @@ from itertools import takewhile
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
-from c2s_engine.write.typed import behaviour, scope
+from c2s_engine.write.typed import behaviour, pockets, scope
 from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.plan import Plan
@@ -140,11 +140,12 @@ def _parts(parts: tuple[str, str] | None) -> str:
 
 
 def _moved(structure: Structure, cid: str, plan: Plan) -> str:
-    """How far beside ego's way one drives, as an argument."""
+    """How far (m) to the left of its line one drives, as an argument."""
     spec, ego = structure[cid].spec, structure.ego.spec
     assert isinstance(spec, ObjectSpec) and isinstance(ego, EgoSpec)
     aside = offset(spec, ego, plan.place)
-    return f", moved={scope.number(aside)}" if aside else ""
+    moved = scope.number(aside) if aside else pockets.aside(structure, plan, cid)
+    return f", moved={moved}" if moved else ""
 
 
 def _too_late(structure: Structure, cid: str) -> str:

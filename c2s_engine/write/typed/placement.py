@@ -65,8 +65,7 @@ def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) 
         name = f"{scope.constant(structure, cid)}{_TO_END[place]}"
         op = "+" if behind else "-"
         turn = turn_of(first.spec.phases)
-        lane = "place.ramp" if place == "on_ramp" else approach_name(plan, place, turn)
-        lane = pocket_name(place) if first.id in plan.pocketed else lane
+        lane = "place.ramp" if place == "on_ramp" else _approach(plan, first.id, place, turn)
         own = turn_of(spec.phases, turn)
         way = f"way({lane})" if place == "on_ramp" else _way_over(plan, lane, own)
         line = f"{name} = {base}{_TO_END[place]} {op} {gap} {op} {half}  # m"
@@ -141,8 +140,7 @@ def turn_given(spec: ObjectSpec) -> bool:
 
 def _approaching(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
     turn = turn_of(spec.phases)
-    lane = approach_name(plan, spec.placement.position, turn)
-    lane = pocket_name(spec.placement.position) if cid in plan.pocketed else lane
+    lane = _approach(plan, cid, spec.placement.position, turn)
     name = f"{scope.constant(structure, cid)}_TO_JUNCTION"
     value = f"{scope.quantity(stations.to_junction(cid, spec, plan))}  # m"
     if spec.placement.gap is None and middle(speed_of(spec, plan.place)) <= 0:
@@ -156,6 +154,11 @@ def _approaching(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -
     loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
     there = _there(structure, cid, plan, lane, at)
     return Spot(tuple(constants), (*there, *loose), line, approach=lane)
+
+
+def _approach(plan: Plan, cid: str, position: str, turn: str) -> str:
+    """The lane by which an object reaches the junction, or on which it waits there while others go by."""
+    return pocket_name(position) if cid in plan.pocketed else approach_name(plan, position, turn)
 
 
 def _there(structure: Structure, cid: str, plan: Plan, lane: str, along: str) -> tuple[str, ...]:

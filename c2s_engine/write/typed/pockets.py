@@ -1,4 +1,5 @@
-"""Who waits before the junction where another drives past it: it has the lane to the left, or that side of its own."""
+"""Who waits before the junction where another drives past it: it has the lane to the left, or that side of its own,
+and who drives past keeps twice as far to the other side."""
 
 from collections.abc import Mapping
 
@@ -64,7 +65,7 @@ def aside(structure: Structure, plan: Plan, cid: str) -> str:
         cid = spec.placement.of
     first = structure[cid].spec
     assert isinstance(first, ObjectSpec)
-    return f"{'' if cid in plan.pocketed else '-'}{pocket_name(first.placement.position)}_offset"
+    return f"{'' if cid in plan.pocketed else '-2 * '}{pocket_name(first.placement.position)}_offset"
 
 
 def _waits(spec: ObjectSpec) -> bool:

@@ -48,7 +48,7 @@ def moves(structure: Structure, failing: Sequence[tuple[Requirement, Result]], o
     ideas = [[*e, *t] for e, t in zip(exact, tried, strict=True)]
     longest = max(map(len, ideas), default=0)
     singly = [row[k] for k in range(longest) for row in ideas if k < len(row)]
-    ending = list(_ending(failing, open_))
+    ending = list(ends(failing, open_))
     return list(dict.fromkeys([_together([*(e[0] for e in exact if e), *ending]), *ending, *singly]))
 
 
@@ -60,7 +60,7 @@ def _together(corrections: Sequence[Move]) -> Move:
     return tuple(settings.values())
 
 
-def _ending(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unknown]) -> Iterator[Move]:
+def ends(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unknown]) -> Iterator[Move]:
     """The run's length in closed form, where the run goes on too long after the last of what is said."""
     late = next((r for q, r in failing if q.check == "soon_over" and r.value is not None and r.time is not None), None)
     length = find(open_, "T", "duration")

@@ -5,7 +5,7 @@ from collections.abc import Awaitable, Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from c2s_engine.solve.moves import Move, moves
+from c2s_engine.solve.moves import Move, ends, moves
 from c2s_engine.solve.unknowns import Field, Unknown, chosen, unknowns
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.requirements import Requirement, Result
@@ -13,7 +13,7 @@ from c2s_engine.write.typed import ResolveError
 from c2s_engine.write.typed.usual_values import Usual, usual_values
 
 MOST = 12
-"""Runs that one search may cost."""
+"""Runs that one search may cost, besides the one that only ends earlier."""
 FLAT = 0.01
 """By how little a measure differs (m, m/s, s) where an unknown does nothing for it."""
 INSIDE = 0.3
@@ -78,6 +78,19 @@ async def solve(first: Outcome, evaluate: Evaluate, room: float, *, most: int = 
         if better is None:
             break
         best = better
+    return await _ended(best, evaluate, room, freed) if tried >= most else best
+
+
+async def _ended(best: Outcome, evaluate: Evaluate, room: float, freed: tuple[Field, ...]) -> Outcome:
+    """The same run, ended soon after the last of what is said where it goes on for long: that is known without a try."""
+    try:
+        open_ = unknowns(best.structure, usual_values(best.structure, room), freed)
+    except ResolveError:
+        return best
+    for move in ends(best.failing, open_):
+        found = await evaluate(_with(best.structure, move))
+        if found is not None and found.score > best.score:
+            return found
     return best
 
 

@@ -516,6 +516,7 @@ behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
     Pure pursuit, slower in bends."""
     i, last, held = nearest(self, points), len(points) - 1, self.speed
     self.points = points  # as others see where it goes
+    self.cruise = math.inf if callable(speed) else speed
     left = (points[min(i + 1, last)] - points[min(i, last - 1)]).normalized().rotatedBy(90 deg)
     beside = max(-8, min(8, (self.position - points[i]).dot(left)))
     aside = max(-shift, min(shift, self.velocity.dot(left)))
@@ -714,12 +715,12 @@ def slowing(car, seconds=0.5):
 
 def seconds_to(car, points, metres):
     """The time (s) until the front of `car` is so far (m) along its points, if it goes on as it does: slower in bends,
-    and gaining 2 m/s2 where it has just set out."""
+    and gaining 2 m/s2 where it has just set out, up to the speed that it drives at."""
     here, time, speed = along_line(points, car.position)[0] + car.length / 2, 0, max(car.speed, 0.3)
-    rising = sets_off(car)
+    rising, top = sets_off(car), max(car.speed, min(8, getattr(car, 'cruise', 8)))
     while here < metres:
         if rising:
-            speed = min(math.sqrt(speed ** 2 + 8), 8)
+            speed = min(math.sqrt(speed ** 2 + 8), top)
         step = min(2, metres - here)
         time += step / min(speed, bend_speed(points, int(here / 2)))
         here += step

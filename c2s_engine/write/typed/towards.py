@@ -50,7 +50,10 @@ def yields(c: Course, p: Phase) -> list[Step]:
     near = f"until to_line(self, {lane}) < 0.5 + self.speed ** 2 / 6"
     stop = c.drive(f"lambda: up_to(to_line(self, {lane}), {c.speed})", 5)
     first = its_turn(c.actor, p.target)
-    gone = f"passed({other}, self)" + (f" and {first}" if first else "")
+    by = c.other(p.target)
+    across = by is not None and by.placement.position == "opposite_approach" and turns_left(c.actor.structure, "E")
+    gone = f"clear_of_ways(self, line, [{other}])" if across and c.actor.is_ego else f"passed({other}, self)"
+    gone += f" and {first}" if first else ""
     if c.actor.plan.place.kind == "roundabout" and not first:
         gone += f" or left_ring({other})"
     before = phases[phases.index(p) - 1].action if p in phases[1:] else ""

@@ -181,7 +181,8 @@ def _egos_way(structure: Structure, cid: str, plan: Plan) -> tuple[str, str] | N
 
 def _up_to_it(phase: Phase) -> bool:
     """Whether one does that before it is in the junction, or touches anybody."""
-    return phase.action not in TURN and not (phase.trigger and phase.trigger.kind == "contact")
+    t = phase.trigger
+    return phase.action not in TURN and not (t and (t.kind == "contact" or t.place == "in_intersection"))
 
 
 def _for_it(phase: Phase, ego: EgoSpec, cid: str) -> bool:

@@ -203,7 +203,15 @@ def begins_when(requirement: Requirement, evidence: Evidence) -> Result:
     if v["action"] == "stop" and (v["watched"] == "contact" or v["watched"] == "place" and float(v["value"]) <= 0):  # type: ignore[arg-type]
         # it stands there, or comes to rest then, having slowed down before
         begun = min(max(begun, due), seen)
+    if v["place"] == "in_intersection" and v["action"] in STANDS and _inside(motion, seen):
+        begun = due  # wherever it is in there that it comes to stand
     return _follows(requirement, begun, due, said, f"{begun:.1f} s, that at {since:.1f} s")
+
+
+def _inside(motion: Motion, time: float) -> bool:
+    """Whether one is in a junction then."""
+    stays = [s for s in motion.course.stays if s.time <= time]
+    return bool(stays) and stays[-1].kind == "junction"
 
 
 def _near(requirement: Requirement, evidence: Evidence, begun: float) -> Result:

@@ -17,12 +17,18 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.reactions import late_rate, reacting_phases
 from c2s_engine.write.typed.tables import BEARING, LENGTH, TURN, WIDTH, is_static
 from c2s_engine.write.typed.threats import hits_ego, is_hit, threatening
+from c2s_engine.write.typed.towards import stops_in_way
 from c2s_engine.write.typed.usual import SETS_OUT, speed_of, turn_of
 
 TOGETHER = (-0.3, 0.3)
 """s between them at the spot where their ways cross, if neither reacts: they would collide."""
 WAITED_FOR = (0.7, 1.3)
 """s by which one is there before ego, which has stopped for it and would set out."""
+STANDS_BEFORE, EASES = (0.3, 0.8), 2.5
+"""s by which one that ego hits stands in its way before that, and m/s2 with which it comes to a stand, as
+`short_of_ways` has it."""
+COMES_IN_WAY = (1.5, 2.0)
+"""s by which one would be there before ego that stops in its way, still on the move as ego has to do something."""
 CONTACT = (-0.05, 0.05)
 """s, the same where they do collide, by the parts that touch."""
 NARROWLY = 0.7
@@ -54,6 +60,10 @@ def meeting(structure: Structure, cid: str, plan: Plan) -> Meeting | None:
     if spec.placement.gap is not None or cid in plan.set_out or cid in plan.pocketed:
         return None
     arrives, later = spec.placement.arrives, middle(spec.placement.later or 0.0)
+    if any(map(stops_in_way, spec.phases)) and not hits_ego(spec):
+        slows = middle(speed_of(spec, plan.place)) / (2 * EASES)
+        stands = slows + STANDS_BEFORE[0], slows + STANDS_BEFORE[1]
+        return Meeting(_earlier(stands if is_hit(ego, cid) else COMES_IN_WAY, later))
     if hits_ego(spec) or is_hit(ego, cid):
         return Meeting(_earlier(CONTACT, later), parts=contact(structure, cid))
     aside = offset(spec, ego, plan.place)

@@ -18,9 +18,9 @@ from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_there, swerves_by, swerves_too_late
 from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.people import BACKS_OUT, PULLS_OUT
-from c2s_engine.write.typed.tables import LANE_WIDTH, MOVES_OFF_ROAD, RAMP, TURN
-from c2s_engine.write.typed.threats import every
-from c2s_engine.write.typed.towards import IN_MIDDLE, ROOM, SHORT, ending, held_for, yields
+from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, RAMP, TURN
+from c2s_engine.write.typed.threats import every, is_hit
+from c2s_engine.write.typed.towards import IN_MIDDLE, ROOM, SHORT, ending, held_for, stops_in_way, yields
 from c2s_engine.write.typed.usual import SETS_OUT, crosses, reach
 
 AT_LINE = Trigger(kind="place", place="intersection", value=0)
@@ -34,6 +34,8 @@ IN_JUNCTION = "until self._intersection"
 """When one is in the junction."""
 HITS_SOON = "for 1 seconds"
 """How long one leaves its lane that then hits another."""
+NOSE = 1.5
+"""m by which one is in another's way that stops there."""
 BACKING = 4.0
 """m/s above which nobody goes on backwards as it went ahead."""
 CLOSER = 2.5
@@ -155,8 +157,11 @@ def _short_of_them(c: Course, p: Phase) -> Step | None:
     if not held:
         return None
     c.held = True
-    reach = SHORT if p.target else IN_MIDDLE
-    rest = f"lambda: short_of_ways(self, line, [{', '.join(held)}], {c.speed}, room={reach})"
+    reach: float = SHORT if p.target else IN_MIDDLE
+    if c.actor.approach and stops_in_way(p):  # its nose, or where it is hit its middle
+        struck = is_hit(c.actor.structure.ego.spec, c.actor.cid)  # type: ignore[arg-type]
+        reach = -NOSE - (LENGTH[c.actor.spec.type] / 2 if struck else 0.0)
+    rest = f"lambda: short_of_ways(self, line, [{', '.join(held)}], {c.speed}, room={scope.number(reach)})"
     return [c.drive(rest, 5)], "until self.speed < 0.2"
 
 

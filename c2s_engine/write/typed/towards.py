@@ -74,12 +74,20 @@ def held_for(c: Course, p: Phase) -> list[str]:
     begun = inside or any(q.action in SETS_OFF for q in phases[:i])
     if p.action not in HOLDS or not begun or not c.actor.plan.junction or c.actor.to_junction is None:
         return []
+    if c.actor.approach and stops_in_way(p):
+        return ["ego"]
     ends = p.until or next((q.until or q.trigger for q in phases[i + 1 :]), None)
     whom = p.target or (ends.subject if ends is not None else None)
     spec = c.other(whom)
     drives = spec is not None and is_vehicle(spec.type) and not is_static(spec)
     meets = drives and not _in_front(c, p.model_copy(update={"target": whom}))
     return [c.actor.ref(whom)] if meets else []
+
+
+def stops_in_way(p: Phase) -> bool:
+    """Whether one that comes by another road stops in the junction, nobody says for whom: in ego's way."""
+    inside = p.trigger is not None and p.trigger.place == "in_intersection" and p.trigger.subject is None
+    return inside and p.action in HOLDS and p.target is None
 
 
 def _waits_there(c: Course, p: Phase) -> bool:

@@ -24,6 +24,8 @@ LANE = 3.5
 BEGUN = 0.3
 """m to the side by which one has begun to move there, which it has from when it was `AT_REST`, m."""
 AT_REST = 0.05
+STRAIGHT = 0.02
+"""rad of heading within which one has not yet begun to turn."""
 NEAR = 60.0
 """m within which one is for whom another waits."""
 LATE = 3.0
@@ -111,6 +113,10 @@ def onset(motion: Motion, action: str, time: float) -> float:
         while at > 0 and sign * motion.acceleration[at - 1] > rate:
             at -= 1
         return float(motion.time[at])
+    if action == "u_turn":
+        away = np.abs(motion.heading[: at + 1] - motion.heading[at])
+        before = np.flatnonzero(away > away.max() - STRAIGHT)
+        return float(motion.time[before[-1]])
     if action in TURNS:  # one that holds in the junction turns as it sets off again
         turned = np.abs(motion.heading - motion.heading[at])
         held = np.flatnonzero((motion.speed < STANDING) & (turned < HELD) & (motion.time > time))

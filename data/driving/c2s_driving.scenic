@@ -618,11 +618,13 @@ behavior StopAtLine(points, lane, speed, rate=3):
     """Come to a stand at the stop line of a lane, braking at `rate` m/s2."""
     do Drive(points, lambda: up_to(to_line(self, lane), speed, rate), rate=rate + 2.5) until self.speed < 0.2
 
-behavior TurnRound(speed=4):
-    """Turn left on the spot until the car faces the way that it came from."""
-    begin = self.heading
+behavior TurnRound(speed=4, rate=5):
+    """Turn left on the spot until the car faces the way that it came from; the wheels turn as far as its speed lets them
+    while it changes that by `rate` (m/s2)."""
+    begin, held, step = self.heading, self.speed, rate * simulation().timestep
     while math.cos(self.heading - begin) > -0.94:
-        take SetSpeedAction(speed), SetSteerAction(-0.55)
+        held += max(-step, min(step, speed - held))
+        take SetSpeedAction(held), SetSteerAction(-0.55 * min(1, (speed / max(held, 1)) ** 2))
 
 behavior Backwards(speed, steer=0):
     """Reverse at a speed (m/s), gained and lost at 3 m/s2; `steer` over 0 takes the tail to the right."""
@@ -1002,6 +1004,16 @@ def off_lane(car, metres=0.3):
     """Whether `car` has begun to leave the middle of its lane: whether it is over so many metres beside it."""
     lane = network.laneAt(car.position)
     return lane is None or lane.centerline.distanceTo(car.position) > metres
+
+def clear_of_lanes(car, room=0.3):
+    """Whether `car` is beside all lanes with its whole body, and so many metres more to either side."""
+    side = car.width / 2 + room
+    corners = [Vector(x * side, y * car.length / 2).rotatedBy(car.heading) for x, y in CORNERS]
+    return all(network.laneAt(car.position + corner) is None for corner in corners)
+
+def turns_round(car, least=0.15):
+    """Whether `car` drives, turned out of the direction of its road by `least` rad or more."""
+    return car.speed > 0.5 and abs(math.sin(car.heading - network.roadDirection[car.position].yaw)) > math.sin(least)
 
 
 # Speeds (m/s) for Drive that depend on another

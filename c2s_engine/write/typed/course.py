@@ -141,8 +141,9 @@ class Course:
         if gap is not None:
             seconds, standing = lateral.headway(gap, pace)
             keeps = f", headway={scope.number(seconds)}" + (f", standing={scope.number(standing)}" if gap < 4 else "")
-        if self.actor.is_ego and of is not None and self.actor.plan.lane_of.get(of) != self.lane:  # once it is there
-            keeps += ", points=line"
+        leaves = lead is not None and any(p.action in ("cut_out", "lane_change", "leave_road") for p in lead.phases)
+        if self.actor.is_ego and of is not None and (leaves or self.actor.plan.lane_of.get(of) != self.lane):
+            keeps += ", points=line"  # while it is there
         return f"lambda: pace(self, {self.actor.ref(cid)}, {speed}{keeps})"
 
     def set(self, value: float) -> str:
@@ -184,6 +185,11 @@ class Course:
         """The object that a phase is about, if it is one."""
         spec = self.actor.structure[cid].spec if cid and cid in self.actor.structure else None
         return spec if isinstance(spec, ObjectSpec) else None
+
+    def party(self, cid: str | None) -> ObjectSpec | EgoSpec | None:
+        """Whom a phase is about: an object, or, for others than ego, ego where nobody or ego is named."""
+        ego = self.actor.structure.ego.spec
+        return ego if cid in (None, "ego") and not self.actor.is_ego else self.other(cid)  # type: ignore[return-value]
 
     def target_lane(self, phase: Phase) -> int | None:
         """The lane in which the phase's target starts, as an offset from ego's."""

@@ -219,6 +219,10 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
         return f"{other}._intersection is not None"
     if action in (*lateral.LATERAL, "swerve", "drift", "oncoming", "lose_control"):
         return f"off_lane({other})"
+    if action == "leave_road":
+        return f"{other}._lane is None and {other}._intersection is None"
+    if action == "u_turn":
+        return f"turns_round({other})"
     if action == "overtake":  # it is alongside
         return f"lead_on({other}, {whom}) > -5"
     if action == "collide" and whom != other:

@@ -40,7 +40,7 @@ TO_END = 6.0
 FORCED = {"brake", "stop", *ASIDE}
 DELAYED = {
     "brake", "stop", "swerve", "lane_change", "cut_out", "drift", "lose_control", "leave_road",
-    "accelerate", "oncoming",
+    "accelerate", "oncoming", "u_turn",
 }  # fmt: skip
 
 
@@ -270,7 +270,7 @@ def _confronted(course: Course, phase: Phase) -> bool:
     if cid is None:
         forcing = (c for c in threatening(a.structure) if not _awaits(a.structure, c, phase.action))
         return any(_in_front(a, c) and _presses(course, c) for c in forcing)
-    if cid == "ego" or cid not in a.structure:
+    if cid == "ego" or cid not in a.structure or _awaits(a.structure, cid, phase.action):
         return False
     spec = a.structure[cid].spec
     if not isinstance(spec, ObjectSpec) or phase.action == "stop" and _stays_opposite(spec):

@@ -33,6 +33,7 @@ TURNER_AT = EGO_AT + 40 + 5  # m along the lane
 behavior TurnerBehavior():
     line = way(place.lane)
     take SetSpeedAction(TURNER_SPEED)
+    do Drive(line, TURNER_SPEED) for 3 seconds
     do TurnRound()
     line = way(place.oncoming_lane)
     do Drive(line, 8)

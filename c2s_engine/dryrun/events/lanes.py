@@ -157,11 +157,11 @@ def _outside(seen: Seen) -> np.ndarray:
 
 
 def enter_road(seen: Seen, situation: Situation) -> int | None:
-    """The step at which it is on a driving lane, having started off them."""
-    if not _outside(seen)[0]:
-        return None
-    long = situation.at(definitions()["enter_road"].time)
-    return next((a for a, b in stretches(~_outside(seen)) if b - a + 1 >= long or b == seen.until), None)
+    """The step at which it is on a driving lane, having started off them or stood there."""
+    limits, outside = definitions()["enter_road"], _outside(seen)
+    long = situation.at(limits.time)
+    off = {b + 1: a for a, b in stretches(outside) if a == 0 or (seen.speed[a : b + 1] < limits.standing).any()}
+    return next((a for a, b in stretches(~outside) if a in off and (b - a + 1 >= long or b == seen.until)), None)
 
 
 def leave_road(seen: Seen, situation: Situation) -> int | None:

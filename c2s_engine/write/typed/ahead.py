@@ -56,7 +56,17 @@ def with_phase(structure: Structure, cid: str, i: int, **changes: object) -> Str
 def begins(structure: Structure, cid: str) -> float:
     """s for which everybody drives on before what one does, nobody says when."""
     followed = any(p.action == "follow" and p.target == cid for p in getattr(structure.ego.spec, "phases", ()))
+    followed = followed or _leaves_who_follows(structure, cid)
     return max(FOLLOWED if followed else UNDISTURBED, awaited(structure, cid))
+
+
+def _leaves_who_follows(structure: Structure, cid: str) -> bool:
+    """Whether one whom another follows leaves its lane, first of all that it does."""
+    first = next((p for p in phases_of(structure, cid) if p.action not in ("keep_lane", "follow", "move_along")), None)
+    if first is None or first.action not in {*LATERAL, "leave_road"}:
+        return False
+    others = [c for c in structure.objects if c.id != cid]
+    return any(p.action == "follow" and p.target == called(cid) for c in others for p in phases_of(structure, c.id)[:1])
 
 
 def awaited(structure: Structure, cid: str) -> float:

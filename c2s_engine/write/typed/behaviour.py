@@ -82,6 +82,9 @@ def _steps(course: Course) -> list[Step]:
             reached = done[-1][1] if phase.trigger and phase.trigger.kind == "action" else ""
             if reached.startswith("until self.speed"):  # it finishes what it does: what others do can still be seen
                 condition = f"{reached} and {condition.removeprefix('until ')}"
+            stands = i > 0 and phases[i - 1].action == "stop" and done[-1][1] == "for 1 seconds"
+            if stands and phase.trigger and phase.trigger.kind == "passed":  # even if that one has gone by before
+                done.append(done[-1])
             done[-1] = (done[-1][0], condition)
             if phase.trigger and phase.trigger.delay is not None and phase.trigger.kind != "time":
                 done.append((done[-1][0][-1:], f"for {scope.quantity(phase.trigger.delay)} seconds"))

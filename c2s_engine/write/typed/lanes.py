@@ -115,7 +115,7 @@ def offsets_of(
             elif phase.action == "cut_in":
                 k = 0
             elif phase.action == "overtake" and k == lane_of.get(phase.target or "", 0) and not narrow:
-                other = objects.get(phase.target or "")
+                other = ego if phase.target in (None, "ego") and spec is not ego else objects.get(phase.target or "")
                 if leaves_lane(other) or other and other.type in ("bicycle", "motorcycle") and phase.side != "right":
                     continue  # it clears the way, or is passed by the lane's left line
                 used.add(k + (-1 if phase.side == "right" else 1))
@@ -125,9 +125,21 @@ def offsets_of(
     return frozenset(used)
 
 
-def leaves_lane(spec: ObjectSpec | None) -> bool:
-    """Whether an object clears its lane for who is behind it."""
-    return spec is not None and any(p.action in ("cut_out", "lane_change") for p in spec.phases)
+def leaves_lane(spec: ObjectSpec | EgoSpec | None) -> bool:
+    """Whether somebody clears its lane for who is behind it: ego where it gives way."""
+    if spec is None or isinstance(spec, EgoSpec) and spec.reaction != "yield":
+        return False
+    out = next((i for i, p in enumerate(spec.phases) if p.action in ("cut_out", "lane_change", "leave_road")), None)
+    if out is None or spec.phases[out].action == "leave_road" and not pulls_over(spec, out):
+        return False
+    trigger = spec.phases[out].trigger
+    return trigger is None or trigger.kind not in ("passed", "contact")
+
+
+def pulls_over(spec: ObjectSpec | EgoSpec, i: int) -> bool:
+    """Whether one that leaves the road in its i-th phase does so in order to stand there."""
+    then = spec.phases[i + 1 : i + 2]
+    return any(p.action in ("stop", "wait", "stationary") for p in then)
 
 
 def pulls_out(ego: EgoSpec) -> bool:

@@ -37,8 +37,9 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
     past = " and ".join(f"lead_on(self, {one}) > {TOO_EARLY if scrapes else _ahead(c, p)}" for one in _whom(c, p))
     if not (c.oncoming_both(p) or c.same_lane(p) and c.lane is not None):
         return [([c.drive()], f"until {past}")]
-    if not c.oncoming_both(p) and leaves_lane(c.other(p.target)):  # it clears the way
-        gone = f"until {LANE_NAME[c.lane or 0]}.centerline.distanceTo({c.actor.ref(p.target)}.position) > {HALF_LANE}"
+    if not c.oncoming_both(p) and leaves_lane(c.party(p.target)):  # it clears the way
+        away = scope.number(round(HALF_LANE + WIDTH[c.party(p.target).type] / 2, 1))  # type: ignore[union-attr]
+        gone = f"until {LANE_NAME[c.lane or 0]}.centerline.distanceTo({c.actor.ref(p.target)}.position) > {away}"
         behind = c.drive(f"lambda: pace(self, {nearest(c, p)}, {c.actor.speed}, {HEADWAY})", 4)
         c.behind = ""
         return [([behind], gone), ([c.drive()], f"until {past}")]
@@ -74,7 +75,7 @@ def _kept_aside(c: Course, p: Phase) -> float:
 
 def pulls_out(c: Course, p: Phase) -> str:
     """The condition under which it is time to pull out behind whom it overtakes; "": that one clears the lane."""
-    if leaves_lane(c.other(p.target)):
+    if leaves_lane(c.party(p.target)):
         return ""
     closing = max(_top(c, p) - c.target_speed(p), faster(c.other(p.target)))
     if _waits(c, p):

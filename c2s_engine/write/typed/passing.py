@@ -166,6 +166,9 @@ def _slower(structure: Structure, place: PlaceSpec, one: Overtaking) -> Structur
     """Who is overtaken is clearly slower: it where its speed is open, else who overtakes it is faster."""
     slow, fast = structure[one.whom if one.whom != "ego" else "E"], structure[one.who]
     least = faster(slow.spec)  # type: ignore[arg-type]
+    follows = any(p.action == "follow" for p in getattr(fast.spec, "phases", ())[:1])
+    if follows and one.whom == "ego" and getattr(fast.spec, "speed", None) is None and not _states_speed(fast.spec):
+        return structure.with_spec(one.who, speed=one.other)  # it is faster from when it pulls out
     if one.phase.speed is None and one.start - one.other >= least:
         return structure
     if getattr(slow.spec, "speed", None) is None and one.whom != "ego" and not _states_speed(slow.spec):
@@ -232,7 +235,8 @@ def _phases(structure: Structure, place: PlaceSpec) -> Structure:
             if then is not None and moving and own == _lane_of(then.target, objects) and _pulls_out(phase, then):
                 continue
             if phase.action == "overtake" and own == 0 == _lane_of(phase.target, objects):
-                phases.append(phase if leaves_lane(objects.get(phase.target or "")) else _sided(phase, place))
+                whom = structure.ego.spec if phase.target in (None, "ego") else objects.get(phase.target)
+                phases.append(phase if leaves_lane(whom) else _sided(phase, place))  # type: ignore[arg-type]
             elif not (phases and own == _lane_of(phases[-1].target, objects) and _comes_back(phases[-1], phase)):
                 phases.append(phase)
         if tuple(phases) != spec.phases:

@@ -13,6 +13,7 @@ from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.collisions import stops_before
 from c2s_engine.write.typed.course import WHERE_IT_IS, Actor
 from c2s_engine.write.typed.evasion import grip
+from c2s_engine.write.typed.lanes import leaves_lane
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import first_in_line
@@ -372,8 +373,11 @@ def _about(phase: Phase) -> str | None:
 
 
 def _behind(structure: Structure, cid: str) -> bool:
+    """Whether an object starts behind ego, or in the queue there."""
     spec = structure[cid].spec if cid in structure else None
-    return isinstance(spec, ObjectSpec) and spec.placement.of == "ego" and spec.placement.position == "behind"
+    if not isinstance(spec, ObjectSpec) or spec.placement.position != "behind":
+        return False
+    return spec.placement.of == "ego" or _behind(structure, spec.placement.of)
 
 
 def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan: Plan) -> tuple[Phase, ...]:
@@ -392,7 +396,7 @@ def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan
     slows = ("brake", "stop", "wait")
     told = any(p.abandoned or p.action in slows and _about(p) == whom for p in spec.phases)  # it says how
     yields = yields and not told
-    if yields and _behind(structure, whom) and any(p.action == "lane_change" for p in spec.phases):
+    if yields and _behind(structure, whom) and leaves_lane(spec):
         return spec.phases  # out of the way of who comes from behind: that lets it pass
     if yields and whom not in ("", *hit) and not gives_way_by(spec) and not _waits_for(spec, whom):
         yielding = Phase(action="yield", target=whom)

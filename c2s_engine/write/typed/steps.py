@@ -16,6 +16,7 @@ from c2s_engine.write.typed.collisions import (
 )
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_there, swerves_by, swerves_too_late
+from c2s_engine.write.typed.lanes import pulls_over
 from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.people import BACKS_OUT, PULLS_OUT
 from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, RAMP, TURN
@@ -325,7 +326,10 @@ def _leave_road(c: Course, p: Phase) -> list[Step]:
         return into
     out = _off_the_road(c, "left" if p.side == "left" else "right")
     drive = c.drive(c.set(c.wanted(p, c.value)), offset=out, shift=2)
-    off = "" if p == c.actor.spec.phases[-1] else "until self._lane is None and self._intersection is None"
+    phases = c.actor.spec.phases
+    over = p in phases and pulls_over(c.actor.spec, phases.index(p))
+    off = "" if p == phases[-1] else "until self._lane is None and self._intersection is None"
+    off = "until clear_of_lanes(self) and self._intersection is None" if over else off
     c.out = True
     return [([drive], ending(p, HITS_SOON if hit_next(c, p) else off))]
 

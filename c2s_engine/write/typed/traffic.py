@@ -110,8 +110,9 @@ def _pace_for_ego(structure: Structure, ego: EgoSpec) -> float | None:
 def _open_pace(spec: ObjectSpec) -> bool:
     placed = spec.placement.position in {*LANES, "oncoming_lane"} and spec.placement.facing in (None, "along")
     others = {p.action for p in spec.phases if p.action != "collide" or p.target in (None, "ego")}
-    plain = others <= PLAIN and all(p.speed is None or p.action == "brake" for p in spec.phases[:1])
-    return placed and plain and is_vehicle(spec.type) and spec.type != "bicycle" and spec.speed is None
+    follows = spec.phases[:1] and spec.phases[0].action == "follow" and spec.phases[0].trigger is None
+    plain = (follows or others <= PLAIN) and all(p.speed is None or p.action == "brake" for p in spec.phases[:1])
+    return placed and bool(plain) and is_vehicle(spec.type) and spec.type != "bicycle" and spec.speed is None
 
 
 def _runs_up(spec: ObjectSpec, ego: EgoSpec) -> bool:

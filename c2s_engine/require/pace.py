@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 
 from c2s_engine.require.evidence import STANDING, Evidence, Motion
-from c2s_engine.require.moments import beside
+from c2s_engine.require.moments import beside, onset
 from c2s_engine.require.phases import AT_JUNCTION, LASTING
 from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
@@ -133,6 +133,9 @@ def first_event(requirement: Requirement, evidence: Evidence) -> Result:
     moments = [m for m in moments if m > 0.0] or moments  # what is so from the first is no event
     if not moments:
         return unknown(requirement, said, "not reached: nothing of what is said was seen")
+    if moments[0] > most:  # who overtakes has pulled out before
+        seen = ((key, action, m, evidence.times.get(key)) for key, action, m in _seen(requirement, evidence))
+        moments = sorted(onset(m, action, t) if action == "overtake" else t for _, action, m, t in seen if t)
     return scored(requirement, min(moments[0] - least, most - moments[0]), said, f"{moments[0]:.1f} s", moments[0],
                   measured=(moments[0], least, most))  # fmt: skip
 

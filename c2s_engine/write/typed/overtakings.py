@@ -4,6 +4,7 @@ from c2s_engine.structure.facts import called
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import scope
+from c2s_engine.write.typed.ahead import LEAST
 from c2s_engine.write.typed.collisions import Step
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.evasion import goes_round
@@ -34,6 +35,8 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
         return goes_round(c, p)
     c.set(_top(c, p))
     scrapes = _scrapes(c, p)  # it comes back too early
+    if (cut := _cuts_in(c, p)) is not None and p.gap is None:  # that is how it comes back
+        p = p.model_copy(update={"gap": cut.gap if cut.gap is not None else LEAST})
     past = " and ".join(f"lead_on(self, {one}) > {TOO_EARLY if scrapes else _ahead(c, p)}" for one in _whom(c, p))
     if not (c.oncoming_both(p) or c.same_lane(p) and c.lane is not None):
         return [([c.drive()], f"until {past}")]
@@ -58,7 +61,7 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
         out, home_again = [c.drive(c.speed, offset=aside, shift=2)], [c.drive(c.speed)]
     if p.abandoned:
         return [*waits, *_breaks_off(c, p, out, home_again, aside)]
-    return [*waits, (out, f"until {past}"), *([] if scrapes else [(home_again, BACK)])]
+    return [*waits, (out, f"until {past}"), *([] if scrapes or cut is not None else [(home_again, BACK)])]
 
 
 def _kept_aside(c: Course, p: Phase) -> float:
@@ -160,6 +163,15 @@ def _whom(c: Course, p: Phase) -> list[str]:
     if p.target is None or p.target not in c.actor.structure or not (c.same_lane(p) or c.oncoming_both(p)):
         return [c.actor.ref(p.target)]
     return members(c.actor.structure, p.target)
+
+
+def _cuts_in(c: Course, p: Phase) -> Phase | None:
+    """The cut-in by which it comes back before the one that it overtakes."""
+    phases = c.actor.spec.phases
+    then = next(iter(phases[phases.index(p) + 1 :]), None) if p in phases else None
+    if then is None or then.action != "cut_in" or then.abandoned or p.abandoned:
+        return None
+    return then if (then.target or "ego") == (p.target or "ego") else None
 
 
 def _scrapes(c: Course, p: Phase) -> bool:

@@ -54,6 +54,8 @@ def solved(structure: Structure) -> Structure:
         for i, phase in enumerate(phases_of(structure, cid)):
             if any(p.action not in CALM for p in phases_of(structure, cid)[:i]):
                 break
+            if phase.action == "overtake" and [p.action for p in phases_of(structure, cid)[i + 1 :]] == ["cut_in"]:
+                structure = _braking(structure, cid, i + 1, FASTER)  # it comes by, and draws away
             if phase.action in (*LATERAL, "swerve", "brake", "stop", "follow"):
                 structure = _met(structure, cid, i, phase)
                 break
@@ -333,7 +335,7 @@ def _braking(structure: Structure, cid: str, i: int, gains: float) -> Structure:
     aimed = cid != "E" and phases[i].target in (None, "ego") and not phases[i].abandoned
     if not aimed or ego.reaction != "brake" or gains < -1 or len(phases) > i + 1:
         return structure
-    if ego.react_to not in (None, cid) or any(p.action not in CALM for p in ego.phases):
+    if ego.react_to not in (None, cid) or any(p.action not in {*CALM, "brake", "stop"} for p in ego.phases):
         return structure
     slower = round(SLOWED * middle(speed_of(ego, structure.place.spec)), 1)  # type: ignore[arg-type]
     return structure.with_spec(cid, phases=(*phases, Phase(action="brake", speed=slower, rate=4.0)))

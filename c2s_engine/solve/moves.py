@@ -41,15 +41,21 @@ TIMES = ("first_event", "reacts")
 
 def moves(structure: Structure, failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unknown],
           usual: Usual) -> list[Move]:  # fmt: skip
-    """What to try next, each once, the most promising first: all exact corrections at once, the run's length, then for
+    """What to try next, each once, the most promising first: the run's length, all exact corrections at once, then for
     each failing requirement its first idea, then the second ones."""
     exact = [list(_exact(structure, q, r, open_, usual)) for q, r in failing]
     tried = [list(_for(q, r, open_)) for q, r in failing]
     ideas = [[*e, *t] for e, t in zip(exact, tried, strict=True)]
     longest = max(map(len, ideas), default=0)
     singly = [row[k] for k in range(longest) for row in ideas if k < len(row)]
-    ending = list(ends(failing, open_))
-    return list(dict.fromkeys([_together([*(e[0] for e in exact if e), *ending]), *ending, *singly]))
+    ending = [] if any(map(_unseen, failing)) else list(ending_of(failing, open_))  # it may be seen later on
+    return list(dict.fromkeys([*ending, _together([e[0] for e in exact if e]), *singly]))
+
+
+def _unseen(failed: tuple[Requirement, Result]) -> bool:
+    """Whether something did not happen in the run."""
+    requirement, result = failed
+    return requirement.check == "shown" or result.robustness is None
 
 
 def _together(corrections: Sequence[Move]) -> Move:
@@ -60,7 +66,7 @@ def _together(corrections: Sequence[Move]) -> Move:
     return tuple(settings.values())
 
 
-def ends(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unknown]) -> Iterator[Move]:
+def ending_of(failing: Sequence[tuple[Requirement, Result]], open_: Sequence[Unknown]) -> Iterator[Move]:
     """The run's length in closed form, where the run goes on too long after the last of what is said."""
     late = next((r for q, r in failing if q.check == "soon_over" and r.value is not None and r.time is not None), None)
     length = find(open_, "T", "duration")

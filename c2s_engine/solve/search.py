@@ -5,7 +5,7 @@ from collections.abc import Awaitable, Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from c2s_engine.solve.moves import Move, ends, moves
+from c2s_engine.solve.moves import Move, ending_of, moves
 from c2s_engine.solve.unknowns import Field, Unknown, chosen, unknowns
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.requirements import Requirement, Result
@@ -13,7 +13,7 @@ from c2s_engine.write.typed import ResolveError
 from c2s_engine.write.typed.usual_values import Usual, usual_values
 
 MOST = 12
-"""Runs that one search may cost, besides the one that only ends earlier."""
+"""Runs that one search may cost, besides the last that only sets the run's length."""
 FLAT = 0.01
 """By how little a measure differs (m, m/s, s) where an unknown does nothing for it."""
 INSIDE = 0.3
@@ -78,16 +78,16 @@ async def solve(first: Outcome, evaluate: Evaluate, room: float, *, most: int = 
         if better is None:
             break
         best = better
-    return await _ended(best, evaluate, room, freed) if tried >= most else best
+    return await _ended(best, evaluate, room, freed)
 
 
 async def _ended(best: Outcome, evaluate: Evaluate, room: float, freed: tuple[Field, ...]) -> Outcome:
-    """The same run, ended soon after the last of what is said where it goes on for long: that is known without a try."""
+    """The outcome with the run's length set right where that is all that can be: something may not be seen at all."""
     try:
         open_ = unknowns(best.structure, usual_values(best.structure, room), freed)
     except ResolveError:
         return best
-    for move in ends(best.failing, open_):
+    for move in ending_of(best.failing, open_):
         found = await evaluate(_with(best.structure, move))
         if found is not None and found.score > best.score:
             return found
@@ -122,7 +122,8 @@ def _candidates(outcome: Outcome, known: Sequence[_Known], room: float,
     others = moves(structure, outcome.failing, open_, usual)
     tried = 0
     for move in others:
-        while tried < len(known):  # what is known by now may tell how far
+        length = len(move) == 1 and move[0][0].component == "T"  # which is exact
+        while tried < len(known) and not length:  # what is known by now may tell how far
             tried += 1
             yield from (_with(structure, found) for found in _along(outcome, known[tried - 1], open_) if found)
         if move:

@@ -35,7 +35,7 @@ ACTOR1_SPEED = 11  # m/s
 ACTOR1_AHEAD = Range(0.7, 1.3)  # s before ego where their ways cross, if neither reacts
 ACTOR1_TO_JUNCTION = start_to_meet(
     place.from_opposite, way(place.from_opposite), ACTOR1_SPEED,
-    way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=ACTOR1_AHEAD, stop=stop_line(place.lane) - 3.4, held=3)  # m
+    way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=ACTOR1_AHEAD)  # m
 actor1 = new Car at place.from_opposite.centerline.pointAlongBy(-ACTOR1_TO_JUNCTION),
     with blueprint Uniform(*CARS),
     with behavior Cruise(way(place.from_opposite), ACTOR1_SPEED)

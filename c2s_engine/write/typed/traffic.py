@@ -77,6 +77,8 @@ def _at_pace(structure: Structure) -> Structure:
         assert isinstance(spec, ObjectSpec)
         by = structure.ego.spec if spec.placement.of == "ego" else structure[spec.placement.of].spec
         speed = getattr(by, "speed", None)
+        if speed is None and isinstance(by, ObjectSpec) and spec.placement.position == "behind" and _drives(by):
+            speed = speed_of(by, structure.place.spec)  # type: ignore[arg-type]
         if not (_open_pace(spec) or _runs_up(spec, ego)) or speed is None or middle(speed) <= 0:
             continue
         if spec.placement.position == "oncoming_lane" and getattr(by, "pace", None) is not None:

@@ -148,7 +148,8 @@ def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
         return max(60.0, min(5.5 * (ego_speed + own), 260.0))
     if position == "intersection_exit":
         return 3.0 if place and place.kind == "roundabout" else 14.0  # on the ring, whose pieces are short
-    if ego_speed == 0 and o.speed == 0 and position in ("ahead", "behind") and place and place.kind in JUNCTION:
+    queues = ego_speed == 0 and position in ("ahead", "behind") and place is not None and place.kind in JUNCTION
+    if queues and middle(speed_of(o, place)) == 0:  # type: ignore[arg-type]
         return IN_QUEUE
     if is_static(o) and position == "behind":
         return 8.0  # of interest only to who backs up
@@ -162,10 +163,13 @@ def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
         first, closing = o.phases[0].action if o.phases else "", max(own - ego_speed, 0.0)
         brakes = position != "behind" and first in ("brake", "stop") and closing > 1
         pulls_out = position == "behind" and first != "follow" and any(p.action == "overtake" for p in o.phases)
+        comes_up = ego_speed == 0 and position == "behind" and o.placement.of == "ego"  # to ego that stands
+        comes_up = comes_up and all(p.action != "collide" for p in o.phases)
         return max(
             12.0,
             ROOM_BEHIND + 1.5 * ego_speed if first == "follow" else 1.2 * ego_speed,  # as it then keeps it
             own**2 / 8 if brakes else 0.0,
+            (UNDISTURBED + TO_PULL_OUT / 2) * own + own**2 / (2 * SLOWS_DOWN) + ROOM_BEHIND if comes_up else 0.0,
             (TO_COME_UP if o.type in WITH_SIREN else TO_PULL_OUT) * closing + ROOM_BEHIND if pulls_out else 0.0,
         )
     if position in ("left_lane", "right_lane") and any(p.action == "cut_in" for p in o.phases) and o.speed != 0:

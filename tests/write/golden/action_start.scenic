@@ -31,6 +31,7 @@ LEAD_AT = EGO_AT + 40 + 5  # m along the lane
 
 behavior LeadBehavior():
     line = way(place.lane)
+    do Drive(line, 0) for 3 seconds
     do Drive(line, 10, rate=2)
 
 lead = new Car at place.lane.centerline.pointAlongBy(LEAD_AT),

@@ -8,6 +8,9 @@ from c2s_engine.dryrun.events.situation import Seen, Situation
 from c2s_engine.dryrun.events.table import definitions
 from c2s_engine.structure.facts import EventFact
 
+TURNED_BACK = -0.7
+"""The cosine between two ways on foot, one after the other, under which the second leads back."""
+
 
 def stretches(mask: np.ndarray) -> list[tuple[int, int]]:
     """(first, last) of each run of true steps."""
@@ -100,12 +103,12 @@ def reverse(seen: Seen, situation: Situation) -> int | None:
     limits = definitions()["reverse"]
     if not seen.drives:
         moving = np.flatnonzero(seen.speed > 0.2)
-        if not len(moving):
-            return None
-        first = np.array([seen.vx[moving[0]], seen.vy[moving[0]]]) / seen.speed[moving[0]]
-        gone = (seen.xy - seen.xy[0]) @ first
-        returned = np.flatnonzero(np.maximum.accumulate(gone) - gone > limits.distance)
-        return int(returned[0]) if len(returned) else None
+        ways = np.column_stack([seen.vx, seen.vy])[moving] / seen.speed[moving, None]
+        for k in np.flatnonzero((ways[1:] * ways[:-1]).sum(axis=1) < TURNED_BACK) + 1:
+            returned = np.flatnonzero((seen.xy[moving[k] :] - seen.xy[moving[k]]) @ ways[k] > limits.distance)
+            if len(returned):
+                return int(moving[k] + returned[0])
+        return None
     back = np.concatenate([[0.0], np.maximum(0.0, -seen.forward[1:])]) * situation.step
     for a, b in stretches(seen.forward < -0.05):
         total = np.cumsum(back[a : b + 1])

@@ -214,9 +214,14 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
                     lines.append(f"do Stand() for {scope.quantity(phase.trigger.delay)} seconds")
             lines.append(f"do Walk({heading}, {own}, {_how_far(structure, cid, phase, then, heading)}){until}")
             heading, begun = "self.heading", True
+            if until and then is not None and then.action == "reverse":
+                lines.append(f"do Stand(){until}")
         elif phase.action == "reverse":
             lasts = until if phase.duration is not None or phase.until is not None else ""
-            lines.append(f"do Walk(self.heading + 180 deg, {own}{'' if lasts else f', {STEPS_BACK}'}){lasts}")
+            back = "self.heading + 180 deg"
+            off = i > 0 and phases[i - 1].action in ACROSS  # to where it came from
+            metres = f"to_far_side(self, line, {back})" if off else f"{STEPS_BACK}"
+            lines.append(f"do Walk({back}, {own}{'' if lasts else f', {metres}'}){lasts}")
             heading = "self.heading + 180 deg"
             if until != lasts:
                 lines.append(f"do Stand(){until}")
@@ -363,7 +368,7 @@ def _how_far(structure: Structure, cid: str, phase: Phase, then: Phase | None, h
     spec = structure[cid].spec
     assert isinstance(spec, ObjectSpec)
     remains = then is None and phase.action == "enter_road" and _ego_reacts(structure, spec)
-    returns = then is not None and then.action == "leave_road"
+    returns = then is not None and then.action in ("leave_road", "reverse")
     if remains or returns or then is not None and _stays((then,)):
         corner = {"front_left": 1, "front_right": -1}.get(_egos_part(structure, cid, spec) or "", 0)
         further = corner * (-1 if spec.placement.side == "left" else 1) * AT_CORNER

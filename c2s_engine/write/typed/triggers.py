@@ -160,7 +160,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     if phase.action == "u_turn" and first and not a.is_ego and (course.oncoming or a.value <= 0):  # in front of ego
         return f"until (distance from self to ego) < {scope.number(12 + 2.2 * (a.value + a.plan.ego_speed))}"
     if first and phase.action in ("brake", "stop") and _comes_over(a):
-        return "until need(self, ego) > 1"
+        as_fast = a.value < a.plan.ego_speed + NO_FASTER  # ego is no hindrance, and one makes room for it
+        return "until need(self, ego) > 1" + (" or off_lane(ego)" if as_fast else "")
     if phase.action == "yield" and first and in_next_lane(course, phase):
         return _undisturbed(a)
     if phase.action == "start" and first and not a.is_ego and a.lane is not None and a.value <= 0:  # it is seen to stand
@@ -232,7 +233,9 @@ def _obstacle(course: Course, phase: Phase) -> str:
         spec = c.spec
         if c.id == a.cid or not isinstance(spec, ObjectSpec) or not is_static(spec):
             continue
-        ahead = spec.placement.position == "ahead" and spec.placement.of in (a.cid, "ego")
+        at = spec.placement
+        ahead = at.position == "ahead" or at.position in ("left_lane", "right_lane") and at.along == "ahead"
+        ahead = ahead and at.of in (a.cid, "ego")
         if ahead and a.plan.lane_of.get(c.id) == course.lane:
             return a.ref(c.id)
     return ""
@@ -305,7 +308,7 @@ def _presses(course: Course, cid: str) -> bool:
 
 def _at_gap(course: Course, phase: Phase, first: bool) -> str:
     """When one begins to come over so that it is as far from the other as is said as it comes over the lane line, both
-    driving on as they do: once it has come so far ahead, or fallen back so far."""
+    driving on as they do: once it has come so far ahead, or fallen back so far, or what stands in its lane is near."""
     other, gains = course.actor.ref(phase.target), course.value - course.target_speed(phase)
     gap = middle(phase.gap) if phase.gap is not None else ahead.LEAST
     if abs(gains) < 0.3 or phase.gap is None and gains < 0:
@@ -314,7 +317,9 @@ def _at_gap(course: Course, phase: Phase, first: bool) -> str:
     before = traffic.in_front(course.actor.structure, course.actor.cid, phase)
     one, two = ("self", other) if before else (other, "self")
     sign = ">" if (gains > 0) == before else "<"
-    return f"until ahead_by({one}, {two}, {seconds}) {sign} {scope.number(gap)}"
+    obstacle = _obstacle(course, phase)
+    near = f" or (distance from self to {obstacle}) < 12 + 2 * self.speed" if obstacle else ""
+    return f"until ahead_by({one}, {two}, {seconds}) {sign} {scope.number(gap)}{near}"
 
 
 def _sideways_into(course: Course, phase: Phase) -> bool:

@@ -24,6 +24,8 @@ LANE = 3.5
 BEGUN = 0.3
 """m to the side by which one has begun to move there, which it has from when it was `AT_REST`, m."""
 AT_REST = 0.05
+TURNS_OFF = 0.8
+"""rad by which one on foot that comes along the road turns towards it."""
 STRAIGHT = 0.02
 """rad of heading within which one has not yet begun to turn."""
 NEAR = 60.0
@@ -124,7 +126,12 @@ def onset(motion: Motion, action: str, time: float) -> float:
         if there is not None and there.kind == "junction":
             return float(motion.time[min(int(held[-1]) + 1, len(motion.time) - 1)])
     if action in (*SETS_OUT, *TURNS) and (stood := np.flatnonzero(motion.speed[: at + 1] < STANDING)).size:
-        return float(motion.time[min(int(stood[-1]) + 1, at)])
+        begun = min(int(stood[-1]) + 1, at)
+        if action in ("enter_road", "cross_road"):  # who came along the road before turns first
+            ways = np.unwrap(np.arctan2(np.diff(motion.y[begun : at + 1]), np.diff(motion.x[begun : at + 1])))
+            turned = np.flatnonzero(np.abs(ways - ways[-1:]) > TURNS_OFF)
+            begun += int(turned[-1]) + 1 if len(turned) else 0
+        return float(motion.time[begun])
     return time
 
 

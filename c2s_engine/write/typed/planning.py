@@ -21,6 +21,8 @@ BEFORE_CHANGE = 3.0
 """s that ego drives before the light changes."""
 USUAL, LONG = 20.0, 45.0
 """s after which a run ends at the latest; the same round a roundabout and over an acceleration lane."""
+TO_SEE = 8.0
+"""s after the last moment that S says in which what is done then can be seen."""
 STAYS = {"stop", "wait", "stationary", "yield", "run_stop"}
 """What those do at the junction who have no priority there."""
 FAST = 11.5
@@ -64,7 +66,9 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     speed, top = middle(speed_of(ego, place)), high(speed_of(ego, place))
     through = place.kind == "roundabout" and any(p.action in TURN for p in lanes.all_phases(ego, objects))
     far = through or rooms.to_merge_end(ego, objects)
-    duration = getattr(restrictions, "duration", None) or (LONG if far else USUAL)
+    latest = max((high(t.value) for p in lanes.all_phases(ego, objects) if (t := p.trigger) and t.kind == "time"
+                  and t.value is not None), default=0.0)  # fmt: skip
+    duration = getattr(restrictions, "duration", None) or max(LONG if far else USUAL, latest + TO_SEE)
     kind = place.model_copy(update={"kind": "on_ramp"}) if ramp else place
     met = frozenset(cid for cid, o in crossing.items() if hits_ego(o) or is_hit(ego, cid))
     set_out = frozenset(c for c, o in crossing.items() if _sets_out(o) and (c in met or _forces(ego, c, o)))

@@ -164,7 +164,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return "until need(self, ego) > 1" + (" or off_lane(ego)" if as_fast else "")
     if phase.action == "yield" and first and in_next_lane(course, phase):
         return _undisturbed(a)
-    if phase.action == "start" and first and not a.is_ego and a.lane is not None and a.value <= 0:  # it is seen to stand
+    if phase.action == "start" and first and not a.is_ego and a.lane is not None and a.value <= 0:  # it stands
         return _undisturbed(a)
     if not first or phase.action not in DELAYED or a.value <= 0 or hit_beside(course, phase):
         return ""

@@ -140,7 +140,8 @@ def _open_gap(o: ObjectSpec, ego_speed: float, place: PlaceSpec | None) -> float
     position = o.placement.position
     if position == "beside" or (o.placement.along == "abreast" and position in ("left_lane", "right_lane")):
         return 0.0
-    against = position in ("ahead", "partly_in_lane") and o.placement.facing == "against" and is_vehicle(o.type) and not is_static(o)
+    drives = is_vehicle(o.type) and not is_static(o)
+    against = position in ("ahead", "partly_in_lane") and o.placement.facing == "against" and drives
     if position == "oncoming_lane" or against:
         if place and place.kind in JUNCTION | RAMP:  # it is still before the junction
             return 60.0

@@ -76,7 +76,7 @@ def _steps(course: Course) -> list[Step]:
         if condition:
             if not done:
                 done.append(([course.drive()], ""))
-            if phase.trigger is None and done[-1][1] == IN_JUNCTION:  # then only: no sooner, and for its answer no later
+            if phase.trigger is None and done[-1][1] == IN_JUNCTION:  # then, no sooner or (to answer) later
                 answers = getattr(course.actor.spec, "reaction", "none") not in ("none", "yield")
                 condition = f"{IN_JUNCTION} and ({condition.removeprefix('until ')})" if answers else IN_JUNCTION
             reached = done[-1][1] if phase.trigger and phase.trigger.kind == "action" else ""

@@ -167,8 +167,8 @@ def _too_late(structure: Structure, cid: str) -> str:
 
 
 def _egos_way(structure: Structure, cid: str, plan: Plan) -> tuple[str, str] | None:
-    """How ego drives to where its way and that of an object cross, as arguments: its way, start and speed, then where it stands or is slower on
-    it; None where that is not known before the run."""
+    """How ego drives to where its way and that of an object cross, as arguments: its way, start and speed, then where
+    it stands or is slower on it; None where that is not known before the run."""
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
     own = ego.model_copy(update={"phases": reacting_phases(ego, threatening(structure), structure, plan)})

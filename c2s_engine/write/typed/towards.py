@@ -7,7 +7,16 @@ from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.collisions import Step
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.order import goes_after, turns_left
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, RUNS, TURN, WORKS, is_static, is_vehicle, is_walker
+from c2s_engine.write.typed.tables import (
+    APPROACH_ANGLE,
+    LANE_WIDTH,
+    RUNS,
+    TURN,
+    WORKS,
+    is_static,
+    is_vehicle,
+    is_walker,
+)
 from c2s_engine.write.typed.threats import every, every_passed, standing
 from c2s_engine.write.typed.usual import SETS_OUT, walks_first
 

@@ -24,6 +24,8 @@ TOGETHER = (-0.3, 0.3)
 """s between them at the spot where their ways cross, if neither reacts: they would collide."""
 WAITED_FOR = (0.7, 1.3)
 """s by which one is there before ego, which has stopped for it and would set out."""
+WAITED_FOR_INSIDE = (-2.8, -2.2)
+"""s, the same of one for whom ego stops in the junction: by then it stands there, which it does not on its way."""
 STANDS_BEFORE, EASES = (0.3, 0.8), 2.5
 """s by which one that ego hits stands in its way before that, and m/s2 with which it comes to a stand, as
 `short_of_ways` has it."""
@@ -77,7 +79,9 @@ def meeting(structure: Structure, cid: str, plan: Plan) -> Meeting | None:
     if ego.reaction != "none" or {"yield", "brake", "stop"} & {p.action for p in ego.phases}:
         gives_way = ego.reaction == "yield" or any(p.action == "yield" for p in ego.phases)
         stands = gives_way and bool({"stop", "wait"} & {p.action for p in ego.phases})
-        return Meeting(_earlier(WAITED_FOR if stands else TOGETHER, later))
+        inside = any(p.trigger and p.trigger.place == "in_intersection" for p in ego.phases if p.action in STANDS_FOR)
+        waited_for = WAITED_FOR_INSIDE if inside else WAITED_FOR
+        return Meeting(_earlier(waited_for if stands else TOGETHER, later))
     return Meeting(clear=(NARROWLY if plan.place.manoeuvre == "straight" else -NARROWLY) - later)
 
 

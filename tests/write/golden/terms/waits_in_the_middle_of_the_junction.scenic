@@ -32,7 +32,7 @@ require monitor Lights(place.turn)
 
 ## O1: A car on the opposite approach of the intersection; it goes straight on.
 ACTOR1_SPEED = 11  # m/s
-ACTOR1_AHEAD = Range(0.7, 1.3)  # s before ego where their ways cross, if neither reacts
+ACTOR1_AHEAD = Range(-2.8, -2.2)  # s before ego where their ways cross, if neither reacts
 ACTOR1_TO_JUNCTION = start_to_meet(
     place.from_opposite, way(place.from_opposite), ACTOR1_SPEED,
     way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=ACTOR1_AHEAD)  # m

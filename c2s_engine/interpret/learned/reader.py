@@ -30,8 +30,8 @@ from c2s_engine.structure.components import Assumption, Component, Structure, Un
 from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.structure.leaves import value_at
 from c2s_engine.structure.sentences import described
+from c2s_engine.structure.shown import value_in_words
 from c2s_engine.structure.specs import SPEC_OF, AnySpec, ObjectSpec, PlaceSpec, SettingsSpec
-from c2s_engine.structure.values import value_in_words
 
 MOST_WORDS = 80
 """Words of the longest texts that it was trained on, but for one in a hundred."""

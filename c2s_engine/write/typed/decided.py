@@ -9,9 +9,9 @@ from typing import Any
 
 from c2s_engine.structure.components import Assumption, ComponentId, Structure
 from c2s_engine.structure.quantity import high
+from c2s_engine.structure.shown import amount, value_in_words
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Placement, PlaceSpec, SettingsSpec, Spec
 from c2s_engine.structure.triggers import clause
-from c2s_engine.structure.values import amount, value_in_words
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.planning import make_plan

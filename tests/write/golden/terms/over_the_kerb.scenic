@@ -17,7 +17,7 @@ behavior EgoBehavior():
     line = way(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) for 3 seconds
-    do Drive(line, EGO_SPEED, offset=-place.lane.group.rightEdge.distanceTo(self.position) - 4, shift=2) until self._lane is None and self._intersection is None
+    do Drive(line, EGO_SPEED, offset=-place.lane.group.rightEdge.distanceTo(self.position) - 4, shift=2) until clear_of_lanes(self) and self._intersection is None
     do Drive(line, 0, rate=3.5, offset=self.beside)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),

@@ -588,12 +588,14 @@ behavior BrakeFor(points, threats, least=1, release=0, stands=None):
     self.braked_for = threats
 
 behavior EmergencyStop(points, threats, rate=8):
-    """Brake with all that the road holds (m/s2) to a stand, from `REACTION_TIME` on, and stay there while they are in
-    the way."""
+    """Brake with all that the road holds (m/s2), from `REACTION_TIME` on, to a stand, and stay there while they are in
+    the way; where they drive on ahead, until they are faster, and keep behind them."""
     do Drive(points, self.speed) for REACTION_TIME seconds
-    do Drive(points, 0, rate=rate) until self.speed < 0.2
-    do Drive(points, 0) for 1 seconds
-    do Drive(points, 0) until _force(self, threats) <= 0 and not blocked(self, _those(threats))
+    do Drive(points, 0, rate=rate) until self.speed < 0.2 or draw_away(self, _those(threats))
+    if self.speed < 0.2:
+        do Drive(points, 0) for 1 seconds
+        do Drive(points, 0) until _force(self, threats) <= 0 and not blocked(self, _those(threats))
+    self.braked_for = threats
 
 behavior StopShortOf(points, walkers, speed, rate=3.5, stands=False, room=3):
     """Slow down from `speed` so as to stop `room` m short of those on foot, braking at `rate` m/s2, until they have gone
@@ -855,6 +857,10 @@ def set_light(car, colour, within=500):
 def clock():
     """The time (s) since the run began."""
     return simulation().currentTime * simulation().timestep
+
+def draw_away(car, others):
+    """Whether others drive on ahead of the car, faster than it."""
+    return bool(others) and all(other.velocity.rotatedBy(-car.heading).y > max(car.speed, 3) + 1 for other in others)
 
 def need(car, other):
     """The deceleration (m/s2) that keeps `car` from reaching `other`, if both go on as they do (one close ahead that slows
@@ -1169,7 +1175,7 @@ class Place(object):
 
     @property
     def far_left_lane(self) -> Lane:
-        return self.lane_beside(2)
+        return self.as_long(self.beside.sections[-1]._fasterLane.lane) if self.beside else self.lane_beside(2)
 
     @property
     def far_right_lane(self) -> Lane:
@@ -1356,10 +1362,11 @@ def roundabouts(approach=0, exit=0, others=(), arms_within=100, limit=None, acro
         place.leaving = leaving
     return places
 
-def merges(ego_on='ramp', approach=0, exit=0, ramp_length=0, limit=None, across=False, **lanes):
+def merges(ego_on='ramp', approach=0, exit=0, ramp_length=0, limit=None, across=False, two_beside=False, **lanes):
     """Where a ramp joins a road: with ego on the 'ramp', on the lane 'beside' which the ramp's goes on, or on any lane of
     the 'road'. `place.ramp`: the ramp's lane; `place.acceleration_lane`: in which it goes on; for ego on the ramp
-    `place.left_lane` is the road's lane that goes on to its left."""
+    `place.left_lane` is the road's lane that goes on to its left, and `place.far_left_lane` the one beyond, which
+    `two_beside` asks for."""
     facts, found = map_facts(), []
     for m in [m for i in network.intersections for m in i.maneuvers if m.startLane.road.id in facts.on_ramps]:
         faster = m.endLane.sections[0]._fasterLane
@@ -1367,6 +1374,8 @@ def merges(ego_on='ramp', approach=0, exit=0, ramp_length=0, limit=None, across=
             merging = faster and o.endLane is faster.lane
             if ego_on != 'road' and merging and m.startLane.centerline.length > ramp_length:
                 way, beside = (m, o.startLane) if ego_on == 'ramp' else (o, None)
+                if two_beside and not o.startLane.sections[-1]._fasterLane:
+                    continue
                 found.append(Place(way.startLane, way, ramp=m, beside=beside))
             elif ego_on == 'road' and o.startLane.road.id not in facts.on_ramps:
                 found.append(Place(o.startLane, o, ramp=m))

@@ -79,7 +79,8 @@ def _steps(course: Course) -> list[Step]:
             if phase.trigger is None and done[-1][1] == IN_JUNCTION:  # then, no sooner or (to answer) later
                 answers = getattr(course.actor.spec, "reaction", "none") not in ("none", "yield")
                 condition = f"{IN_JUNCTION} and ({condition.removeprefix('until ')})" if answers else IN_JUNCTION
-            reached = done[-1][1] if phase.trigger and phase.trigger.kind == "action" else ""
+            merges = course.on_ramp and phase.action in ("cut_in", "lane_change")  # before that lane ends
+            reached = done[-1][1] if phase.trigger and phase.trigger.kind == "action" and not merges else ""
             if reached.startswith("until self.speed"):  # it finishes what it does: what others do can still be seen
                 condition = f"{reached} and {condition.removeprefix('until ')}"
             stands = i > 0 and phases[i - 1].action == "stop" and done[-1][1] == "for 1 seconds"
@@ -88,7 +89,7 @@ def _steps(course: Course) -> list[Step]:
             done[-1] = (done[-1][0], condition)
             if phase.trigger and phase.trigger.delay is not None and phase.trigger.kind != "time":
                 done.append((done[-1][0][-1:], f"for {scope.quantity(phase.trigger.delay)} seconds"))
-            if phase.trigger and course.on_ramp and phase.action in ("cut_in", "lane_change"):
+            if phase.trigger and merges:
                 done.append((done[-1][0][-1:], "until self._lane is place.acceleration_lane"))
         course.behind = _overtaken_later(course, phases[i:])
         home, course.home = course.home, []

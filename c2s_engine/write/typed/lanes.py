@@ -184,9 +184,9 @@ def lanes_for(place: PlaceSpec, offsets: frozenset[int], beside: str | None) -> 
 def ramp_lanes(place: PlaceSpec, offsets: frozenset[int], ramp: bool) -> tuple[PlaceSpec, int, frozenset[int]]:
     """At a ramp ego's lane is given: the ramp itself, the rightmost lane, or (leaving) one to the left of that."""
     left, right = max(offsets), -min(offsets)
-    most_left, most_right = (1, 0) if place.kind == "on_ramp" else (1, 1) if place.kind == "off_ramp" else (2, 0)
+    most_left, most_right = (2, 0) if place.kind == "on_ramp" else (1, 1) if place.kind == "off_ramp" else (2, 0)
     if left > most_left or right > most_right:
-        there = "only the road, on its left" if place.kind == "on_ramp" else "no such lane"
+        there = "only the road, on its left, with two lanes" if place.kind == "on_ramp" else "no such lane"
         raise ResolveError(
             f"beside this ramp there is {there}: change the position or the kind of place",
             ("R.kind", "O.placement.position"),

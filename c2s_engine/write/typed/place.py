@@ -47,6 +47,8 @@ def call(plan: Plan, share: float = 0.0, across: bool = False) -> Call:
         more = {"ego_on": "'beside'", "ramp_length": _metres(plan.lengths.get("place.ramp", 0.0))}
     elif spec.kind == "off_ramp" and -1 in plan.offsets:
         more = {"ego_on": "'beside'"}
+    elif spec.kind == "on_ramp" and 2 in plan.offsets:
+        more = {"two_beside": "True"}
     if spec.kind == "roundabout" and not _near(plan):
         more["arms_within"] = "math.inf"
     if spec.kind == "roundabout" and plan.exit_room and spec.manoeuvre in BEARING:

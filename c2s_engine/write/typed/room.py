@@ -20,6 +20,8 @@ USUAL_RUN = 20.0
 """s for which there is road."""
 SHORTEST = 0.4
 """The least share of the wanted way to a junction; a map that has not even that may have it across another one."""
+MOVES_OVER = 6.0
+"""s of driving before a ramp in which another has changed its lane, as ego sees it do."""
 PAST = 25.0
 """m from behind another to where the one that overtook it is well past."""
 INSIDE = 28.0
@@ -127,7 +129,8 @@ def distance(
         *(_to_overtake(cid, o, ego, speed, place) for cid, o in objects.items()),
     )
     if place.kind in RAMP:  # the whole acceleration lane comes first where something is to happen at its end
-        base = MERGES_SOON if to_merge_end(ego, objects) else max(base, 60.0)
+        moves = any(p.action in ("lane_change", "cut_in", "cut_out") for o in objects.values() for p in o.phases)
+        base = MERGES_SOON if to_merge_end(ego, objects) else max(base, MOVES_OVER * speed if moves else 60.0)
     return round(max(base * max(room, SHORTEST), far + 4), 1)
 
 

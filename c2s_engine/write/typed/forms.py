@@ -14,7 +14,7 @@ from c2s_engine.write.typed.slowing import slowing
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, OBSTRUCTING, TURN, is_static, is_vehicle, is_walker
 from c2s_engine.write.typed.threats import IN_WAY, passed_over
 from c2s_engine.write.typed.usual import crosses, uses_crosswalk
-from c2s_engine.write.typed.waiting import together
+from c2s_engine.write.typed.waiting import coming_by, together
 
 AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
 """What somebody does about, or to, what lies in its way."""
@@ -22,7 +22,7 @@ AVOIDS = {"brake", "stop", "swerve", "lane_change", "collide"}
 
 def normal(structure: Structure) -> Structure:
     """S as the writer reads it."""
-    structure = own_ways(beside_ego(together(in_sequence(slowing(lights.queued(structure))))))
+    structure = own_ways(beside_ego(coming_by(together(in_sequence(slowing(lights.queued(structure)))))))
     place, ego = structure.place.spec, structure.ego.spec
     assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
     if place.kind in ("road", "straight") and place.crosswalk and any(map(uses_crosswalk, _objects(structure))):

@@ -1,4 +1,5 @@
-"""Who waits for whose action: of those that wait for each other, which S says of what happens at once, nobody waits."""
+"""Who waits for whom: of those that wait for each other's action, which S says of what happens at once, nobody waits;
+whom another waits for to go by comes from behind that one."""
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import Phase
@@ -16,6 +17,21 @@ def together(structure: Structure) -> Structure:
         changed = phases[cid][i].model_copy(update={"trigger": None})
         phases[cid] = (*phases[cid][:i], changed, *phases[cid][i + 1 :])
         structure = structure.with_spec(cid, phases=phases[cid])
+    return structure
+
+
+def coming_by(structure: Structure) -> Structure:
+    """S in which those in the next lane that are to pass somebody first, where S does not say how far along they start,
+    start behind that one."""
+    phases = (p for c in (structure.ego, *structure.objects) for p in getattr(c.spec, "phases", ()))
+    for trigger in (t for p in phases for t in (p.trigger, p.until) if t and t.kind == "passed"):
+        spec = structure[trigger.subject].spec if trigger.subject in structure else None
+        placement = getattr(spec, "placement", None)
+        if placement is None or placement.position not in ("left_lane", "right_lane") or placement.along is not None:
+            continue
+        if placement.of == (trigger.of or "ego") and placement.facing != "against":
+            behind = placement.model_copy(update={"along": "behind"})
+            structure = structure.with_spec(str(trigger.subject), placement=behind)
     return structure
 
 

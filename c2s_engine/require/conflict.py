@@ -19,6 +19,7 @@ from c2s_engine.require.outcome import struck as struck_pairs
 from c2s_engine.require.reacting import TURNS, another_scene, reacts
 from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
+from c2s_engine.require.starts import OFF_LANES
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.crossers import before_whom
 from c2s_engine.structure.facts import EGO
@@ -151,7 +152,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
         name = scene.named(actor)
         text = f"{name} is a threat to ego: " + ("were ego not to react, they" if reacts else "they") + \
             " would collide or come very near."  # fmt: skip
-        yield scene.make("conflict", "threatens", actor, "threat", text, other=EGO, reaction=reacts)
+        if not _stands_beside(scene.objects[actor]):
+            yield scene.make("conflict", "threatens", actor, "threat", text, other=EGO, reaction=reacts)
         if reacts and scene.ego.reaction != "follow":
             others = tuple(a for a in scene.objects if a != actor)
             beside: dict[str, Value] = {"others": others} if others else {}
@@ -206,6 +208,13 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
     if found or len(met) == 1:  # nobody else can be meant
         return found or met
     return [a for a in comers if any(p.action in turns for p in scene.objects[a].phases)]
+
+
+def _stands_beside(spec: ObjectSpec) -> bool:
+    """Whether somebody stands beside the road throughout: ego may slow or make room for it as a precaution, yet drives
+    past without harm where it does not. Its reaction is still required."""
+    doings = [p.action for p in spec.phases]
+    return spec.placement.position in OFF_LANES and doings != [] and set(doings) <= {"stationary", "wait"}
 
 
 def _comes_across(scene: Scene, spec: ObjectSpec) -> bool:

@@ -713,6 +713,16 @@ def test_whom_ego_follows_and_overtakes_of_its_own_accord_need_not_threaten_it()
     assert "O1.threat" in {r.id for r in require(follows)}
 
 
+@pytest.mark.parametrize(("position", "action", "threatens"), [
+    ("sidewalk", "stationary", False), ("parked", "stationary", False), ("roadside", "move_along", True),
+    ("ahead", "stationary", True),
+])  # fmt: skip
+def test_who_stands_beside_the_road_throughout_need_not_threaten_ego(position, action, threatens) -> None:
+    spec = ObjectSpec(type="pedestrian", placement=Placement(position=position), phases=(Phase(action=action),))
+    found = {r.id for r in require(s(spec, ego=EgoSpec(reaction="brake", react_to="O1")))}
+    assert ("O1.threat" in found) is threatens and "E.reaction.O1" in found
+
+
 def waits_for_overtaking(target: str | None) -> Structure:
     """S whose second object waits for the first to overtake ego, or another."""
     pulls_out = Phase(action="enter_road", trigger=Trigger(kind="action", of="O1", action="overtake"))

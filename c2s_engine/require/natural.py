@@ -60,8 +60,13 @@ def _speeds(scene: Scene, actor: str, spec: EgoSpec | ObjectSpec) -> Iterator[Re
                          most=most)  # fmt: skip
     elif stated and spec.speed == 0:
         yield scene.make("speed", "stands_first", actor, "speed", f"{name} stands at first.")
-    elif spec.type in (*ON_FOOT, "bicycle") and spec.phases and not any(p.speed or p.pace for p in spec.phases):
+    elif spec.type in (*ON_FOOT, "bicycle") and _goes(spec) and not any(p.speed or p.pace for p in spec.phases):
         yield scene.make("speed", "usual_speed", actor, "usual_speed", f"{name} goes at a usual speed for its kind.")
+
+
+def _goes(spec: EgoSpec | ObjectSpec) -> bool:
+    """Whether S says more of somebody than that it stands: who stands throughout has no pace to judge."""
+    return any(p.action not in ("stationary", "wait") for p in spec.phases)
 
 
 def dynamics(requirement: Requirement, evidence: Evidence) -> Result:

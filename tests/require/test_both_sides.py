@@ -723,6 +723,12 @@ def test_who_stands_beside_the_road_throughout_need_not_threaten_ego(position, a
     assert ("O1.threat" in found) is threatens and "E.reaction.O1" in found
 
 
+@pytest.mark.parametrize(("action", "goes"), [("stationary", False), ("move_along", True)])
+def test_who_only_stands_has_no_usual_speed(action, goes) -> None:
+    spec = ObjectSpec(type="child", placement=Placement(position="sidewalk"), phases=(Phase(action=action),))
+    assert ("O1.usual_speed" in {r.id for r in require(s(spec))}) is goes
+
+
 def waits_for_overtaking(target: str | None) -> Structure:
     """S whose second object waits for the first to overtake ego, or another."""
     pulls_out = Phase(action="enter_road", trigger=Trigger(kind="action", of="O1", action="overtake"))

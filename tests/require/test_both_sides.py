@@ -812,6 +812,15 @@ def test_a_bound_on_braking_is_not_tried_by_who_never_brakes(speed, holds) -> No
     assert found.holds is holds and ("not tried" in found.why) is (holds is None)
 
 
+@pytest.mark.parametrize(("reaction", "holds"), [("follow", True), ("evade", True), ("brake", None)])
+def test_who_keeps_its_distance_or_gets_out_of_the_way_need_not_brake_for_it(reaction, holds) -> None:
+    bound = t(Limit(kind="deceleration", subject="ego", maximum=2.0))
+    structure = s(ObjectSpec(), ego=EgoSpec(reaction=reaction, react_to="O1"), restrictions=bound)
+    run = Scene([ego(), other()]).run()
+    found = {r.requirement: r for r in evaluate(require(structure), run.facts, run.trajectories)}["T.limits.0"]
+    assert found.holds is holds
+
+
 def test_most_runs_decide_and_failures_are_told_in_a_line() -> None:
     shows, misses = Scene([ego(), other(speed=BRAKING)]).run(), Scene([ego(), other(speed=SLOWER)]).run()
     required = require(s(brakes()))

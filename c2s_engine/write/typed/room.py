@@ -5,6 +5,7 @@ from itertools import takewhile
 
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.write.typed.ahead import FOLLOWED
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.lanes import all_phases
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, JUNCTION, LENGTH, RAMP, TURN, is_static, is_vehicle
@@ -127,6 +128,7 @@ def distance(
         *(_to_pass(o, speed, place) for o in objects.values()),
         *(_to_meet(o, speed, place) for o in objects.values()),
         *(_to_overtake(cid, o, ego, speed, place) for cid, o in objects.items()),
+        *(_to_turn_off(cid, o, ego, speed, place) for cid, o in objects.items()),
     )
     if place.kind in RAMP:  # the whole acceleration lane comes first where something is to happen at its end
         moves = any(p.action in ("lane_change", "cut_in", "cut_out") for o in objects.values() for p in o.phases)
@@ -171,6 +173,17 @@ def _to_overtake(cid: str, o: ObjectSpec, ego: EgoSpec, ego_speed: float, place:
     turns = any(p.action in ("turn_left", "turn_right") for p in (ego if by_ego else o).phases)
     slows = max(own, ego_speed) ** 2 / 4 if turns else 0  # it brakes at 2 m/s2 for its turn
     return min((gap + PAST) / closing * ego_speed + slows, LONGEST_APPROACH)
+
+
+def _to_turn_off(cid: str, o: ObjectSpec, ego: EgoSpec, ego_speed: float, place: PlaceSpec) -> float:
+    """How far (m) ego starts from a junction at which one turns off whom it plainly follows first, and which then slows
+    down for its turn."""
+    followed = ego.phases[:1] and ego.phases[0].action == "follow" and ego.phases[0].target == cid
+    if o.placement.position != "ahead" or not followed or not any(p.action in TURN for p in o.phases):
+        return 0
+    gap = middle(o.placement.gap) if o.placement.gap is not None else default_gap(o, ego_speed, place)
+    own = middle(speed_of(o, place))
+    return min(gap + LENGTH[o.type] + own * FOLLOWED + own**2 / 6, LONGEST_APPROACH - 20)
 
 
 def _overtakes(phases: tuple[Phase, ...], whom: tuple[str | None, ...]) -> bool:

@@ -19,7 +19,6 @@ APART = ("gap", "ttc")
 """What is between two, rather than of one."""
 
 SLOWS = ("brake", "stop", "wait", "yield")
-
 TRIED = 0.3
 """m/s2 under which nobody brakes: a bound on braking says nothing of that."""
 
@@ -55,7 +54,8 @@ def within(requirement: Requirement, evidence: Evidence) -> Result:
         settled = motion.time >= settles
         series.append((_of(motion, str(requirement.values["measure"]))[settled], motion.time[settled]))
     braking = requirement.values["measure"] == "deceleration" and requirement.values.get("least") is None
-    if braking and not requirement.values.get("untried") and series and all(values.max(initial=0.0) < TRIED for values, _ in series):
+    braking = braking and not requirement.values.get("untried")
+    if braking and series and all(values.max(initial=0.0) < TRIED for values, _ in series):
         said = f"at most {requirement.values['most']:g} m/s2"
         return unknown(requirement, said, "not tried: it never brakes")
     return _kept(requirement, series)

@@ -26,7 +26,7 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
     at = position_constant(structure, cid)
     if (uses_crosswalk(spec) or right_behind(spec)) and (marked := crosswalk(plan)):
         beside = stations.next_to(structure, cid)
-        line = f"{at} = {marked}" + (f" {'+' if beside > 0 else '-'} {abs(beside)}" if beside else "")
+        line = f"{at} = {marked}" + (f" {'+' if beside > 0 else '-'} {scope.number(abs(beside))}" if beside else "")
     elif right_behind(spec):  # of what stands in the next lane, or across beside the road
         by = structure[spec.placement.hidden_by or "ego"].spec
         assert isinstance(by, ObjectSpec)

@@ -145,11 +145,18 @@ def _to_middle(structure: Structure, spec: ObjectSpec, plan: Plan) -> float:
     return way_out(structure, spec, plan.place) + outwards(spec) - BESIDE.get(spec.placement.position, 1.5)
 
 
-def next_to(structure: Structure, cid: str) -> int:
-    """How far (m) along the road from the middle of the crosswalk somebody starts who uses it: several side by side."""
-    there = [c.id for c in structure.objects if isinstance(c.spec, ObjectSpec) and uses_crosswalk(c.spec)]
-    k = there.index(cid) if cid in there else 0
-    return (k + 1) // 2 * (1 if k % 2 else -1)
+def next_to(structure: Structure, cid: str) -> float:
+    """How far (m) along the road from the middle of the crosswalk the first of those stands who use it together: the
+    first of S in its middle, the others by turns on either side."""
+    there = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec) and uses_crosswalk(c.spec)}
+    begins = ends = 0.0
+    for k, (one, spec) in enumerate(there.items()):
+        row = (spec.count - 1) * row_step(spec)
+        at = (ends + 1 if k % 2 else begins - 1 - row) if k else -row / 2
+        if one == cid:
+            return at
+        begins, ends = min(begins, at), max(ends, at + row)
+    return 0.0
 
 
 def gap(spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:

@@ -145,10 +145,19 @@ def overtakings(structure: Structure, place: PlaceSpec) -> Iterator[Overtaking]:
         begins = FOLLOWS if any(p.action == "follow" for p in spec.phases[at - 1 : at]) else UNDISTURBED
         if phase.trigger is not None and phase.trigger.kind == "time" and phase.trigger.value is not None:
             begins = middle(phase.trigger.value)
-        start, slow = middle(speed_of(spec, place)), middle(speed_of(other, place))
+        start, slow = middle(speed_of(spec, place)), _slow(other, objects, place)
         speed = middle(phase.speed) if phase.speed is not None else max(start, slow + faster(other))
         bodies = LENGTH[spec.type] + LENGTH[other.type]
         yield Overtaking(component.id, whom, phase, start, speed, slow, bodies, begins, rows[0] == rows[1])
+
+
+def _slow(spec: EgoSpec | ObjectSpec, objects: dict[str, ObjectSpec], place: PlaceSpec) -> float:
+    """The speed (m/s) of one that is overtaken: where nothing says it, at most that of whom it follows."""
+    own, first = middle(speed_of(spec, place)), next(iter(spec.phases), None)
+    if first is None or first.action != "follow" or first.trigger or spec.speed is not None or first.speed is not None:
+        return own
+    followed = objects.get(first.target or "")
+    return own if followed is None else min(own, middle(speed_of(followed, place)))
 
 
 def passing(structure: Structure, place: PlaceSpec) -> Structure:

@@ -155,9 +155,18 @@ def no_dead_time(requirement: Requirement, evidence: Evidence) -> Result:
     said, moments = f"at most {limit:g} s between two events", _moments(requirement, evidence)
     if not moments:
         return unknown(requirement, said, "not reached: nothing of what is said was seen")
-    all_of = sorted({0.0, *moments, *(c.time for c in evidence.facts.contacts), *_speed_moments(evidence)})
+    contacts = [c.time for c in evidence.facts.contacts]
+    all_of = sorted({0.0, *moments, *contacts, *_on_its_way(requirement, evidence), *_speed_moments(evidence)})
     gap, at = max(((b - a), a) for a, b in zip(all_of, all_of[1:], strict=False)) if len(all_of) > 1 else (0.0, 0.0)
     return scored(requirement, (limit - gap) / 2.0, said, f"{gap:.1f} s", at)
+
+
+def _on_its_way(requirement: Requirement, evidence: Evidence) -> Iterator[float]:
+    """All the while that somebody of whom that is said goes over a junction, however slowly."""
+    for _, action, m, time in ((k, a, m, evidence.times.get(k)) for k, a, m in _seen(requirement, evidence)):
+        if time is not None and action in AT_JUNCTION:
+            crossing = (m.time >= time) & (m.time <= _leaves(m, time, round_it=False)) & (m.speed > STANDING)
+            yield from map(float, m.time[crossing])
 
 
 def _speed_moments(evidence: Evidence) -> list[float]:

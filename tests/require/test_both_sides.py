@@ -128,6 +128,11 @@ STOPS_AFTER_IT = EgoSpec(phases=(Phase(action="collide", target="O1"), Phase(act
 MERGE = (Mark(kind="merge", start=20.0, end=80.0, name="1"),)
 AT_END = EgoSpec(phases=(Phase(action="brake", speed=2.0, trigger=Trigger(kind="place", place="merge_end")),))
 ROUND = EgoSpec(phases=(Phase(action="go_straight"), Phase(action="stop")))
+ON_AND_OFF = (
+    Stay(time=0.0, lane=1, to_ego="own"),
+    Stay(time=2.0, lane=2, kind="junction", to_ego="own"),
+    Stay(time=9.0, lane=3, to_ego="own"),
+)
 STOPS_LATE = {"speed": ramp((0, 10), (10.9, 10), (12, 0)), "events": (event("go_straight", 2.0),)}
 
 
@@ -199,6 +204,13 @@ CASES = [
         s(ego=AT_END, place=PlaceSpec(kind="on_ramp")),
         Scene([ego(speed=ramp((0, 10), (6, 10), (9, 2), (12, 2)), marks=MERGE)]),
         Scene([ego(speed=ramp((0, 10), (4, 10), (7, 2), (12, 2)), marks=MERGE)]),
+    ),
+    (
+        "creeps over the junction meanwhile",
+        "T.pace.dead",
+        s(ego=ROUND),
+        Scene([ego(**STOPS_LATE, stays=ON_AND_OFF)]),
+        Scene([ego(**STOPS_LATE, stays=ON_AND_OFF[:1])]),
     ),
     (
         "drives round meanwhile",

@@ -26,7 +26,7 @@ from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.requirements import Requirement, Result, Value
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, SettingsSpec, Trigger
 from c2s_engine.structure.triggers import gives_way_by
-from c2s_engine.structure.vocabulary import VEHICLES
+from c2s_engine.structure.vocabulary import VEHICLES, WITH_SIREN
 
 THREATS = ("cut_in", "cross_road", "enter_road", "run_red", "run_stop", "oncoming", "reverse", "drift", "u_turn",
            "lose_control", "stationary", "stop", "brake")  # fmt: skip
@@ -241,14 +241,16 @@ def _threatens(spec: ObjectSpec) -> bool:
 
 
 def _onset_of(scene: Scene, actor: str) -> str:
-    """The action with which the threat begins: the one that ego waits for; '' where it is one from the start."""
+    """The action with which the threat begins: the one that ego waits for; '' where it is one from the start, as is
+    one with a siren: that it will not stop is to be expected of it."""
     spec, waits = scene.objects[actor], (p.trigger for p in scene.ego.phases if p.trigger is not None)
     if told := next((t.action for t in waits if t.kind == "action" and t.of == actor), None):
         return told
     turns = next((p.action for p in spec.phases if p.action in TURNS), "")
     if turns and spec.placement.position not in APPROACHES:  # from beside ego, having slowed for it
         return turns
-    return next((p.action for p in spec.phases if p.action in THREATS and p.action != "stationary"), "")
+    found = next((p.action for p in spec.phases if p.action in THREATS and p.action != "stationary"), "")
+    return "" if spec.type in WITH_SIREN and found in ("run_red", "run_stop") else found
 
 
 def threatens(requirement: Requirement, evidence: Evidence) -> Result:

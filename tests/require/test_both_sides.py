@@ -905,3 +905,10 @@ def test_deriving_and_judging_cost_little() -> None:
         results = evaluate(require(structure), scene.facts, scene.trajectories)
         times.append(time.process_time() - began)
     assert len(results) > 15 and sorted(times)[2] < 0.03
+
+
+@pytest.mark.parametrize(("kind", "begins"), [("car", "run_red"), ("fire_truck", "")])
+def test_one_with_a_siren_is_a_threat_before_it_can_no_longer_stop(kind, begins) -> None:
+    comes = ObjectSpec(type=kind, placement={"position": "crossing_left"}, phases=(Phase(action="run_red"),))
+    found = {r.id: r for r in require(s(comes, ego=EgoSpec(reaction="yield", react_to="O1")))}
+    assert found["E.reaction.O1"].values["action"] == begins

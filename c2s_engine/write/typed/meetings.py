@@ -78,10 +78,10 @@ def meeting(structure: Structure, cid: str, plan: Plan) -> Meeting | None:
         return None
     if ego.reaction != "none" or {"yield", "brake", "stop"} & {p.action for p in ego.phases}:
         gives_way = ego.reaction == "yield" or any(p.action == "yield" for p in ego.phases)
-        stands = gives_way and bool({"stop", "wait"} & {p.action for p in ego.phases})
-        inside = any(p.trigger and p.trigger.place == "in_intersection" for p in ego.phases if p.action in STANDS_FOR)
-        waited_for = WAITED_FOR_INSIDE if inside else WAITED_FOR
-        return Meeting(_earlier(waited_for if stands else TOGETHER, later))
+        stops = gives_way and bool({"stop", "wait"} & {p.action for p in ego.phases})
+        places = [p.trigger.place for p in ego.phases if p.action in STANDS_FOR and p.trigger]
+        waited_for = WAITED_FOR_INSIDE if "in_intersection" in places else WAITED_FOR
+        return Meeting(_earlier(waited_for if stops else TOGETHER, later))
     return Meeting(clear=(NARROWLY if plan.place.manoeuvre == "straight" else -NARROWLY) - later)
 
 

@@ -127,7 +127,8 @@ def set_back(structure: Structure, cid: str, plan: Plan) -> float:
 
 def hides_beside(structure: Structure, spec: ObjectSpec) -> ObjectSpec | None:
     """What hides a vehicle beside the road that comes from there, itself on that side of the road; None: nothing."""
-    by = structure[spec.placement.hidden_by].spec if spec.placement.hidden_by in structure else None
+    hider = spec.placement.hidden_by
+    by = structure[hider].spec if hider is not None and hider in structure else None
     if not isinstance(by, ObjectSpec) or right_behind(spec) or spec.placement.position not in MOVES_OFF_ROAD:
         return None
     same = (by.placement.side == "left") == (spec.placement.side == "left")

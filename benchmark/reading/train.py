@@ -35,7 +35,8 @@ class Lora(nn.Module):
 
     def __init__(self, base: nn.Linear, rank: int, dropout: float):
         super().__init__()
-        self.base, self.dropout = base.requires_grad_(False), nn.Dropout(dropout)
+        self.base = base.requires_grad_(False).to(torch.bfloat16)  # as autocast would at every step
+        self.dropout = nn.Dropout(dropout)
         device = base.weight.device
         self.a = nn.Parameter(torch.randn(rank, base.in_features, device=device) / math.sqrt(base.in_features))
         self.b = nn.Parameter(torch.zeros(base.out_features, rank, device=device))

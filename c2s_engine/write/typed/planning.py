@@ -23,6 +23,8 @@ USUAL, LONG = 20.0, 45.0
 """s after which a run ends at the latest; the same round a roundabout and over an acceleration lane."""
 TO_SEE = 8.0
 """s after the last moment that S says in which what is done then can be seen."""
+LATEST = 60.0
+"""s: for a moment after that no run is made longer."""
 STAYS = {"stop", "wait", "stationary", "yield", "run_stop"}
 """What those do at the junction who have no priority there."""
 FAST = 11.5
@@ -67,7 +69,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     through = place.kind == "roundabout" and any(p.action in TURN for p in lanes.all_phases(ego, objects))
     far = through or rooms.to_merge_end(ego, objects)
     latest = max((high(t.value) for p in lanes.all_phases(ego, objects) if (t := p.trigger) and t.kind == "time"
-                  and t.value is not None), default=0.0)  # fmt: skip
+                  and t.value is not None and high(t.value) <= LATEST), default=0.0)  # fmt: skip
     duration = getattr(restrictions, "duration", None) or max(LONG if far else USUAL, latest + TO_SEE)
     kind = place.model_copy(update={"kind": "on_ramp"}) if ramp else place
     met = frozenset(cid for cid, o in crossing.items() if hits_ego(o) or is_hit(ego, cid))

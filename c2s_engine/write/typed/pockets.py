@@ -5,14 +5,18 @@ from collections.abc import Mapping
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec, PlaceSpec
+from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, SIDE, is_static, is_vehicle
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, SIDE, WIDTH, is_static, is_vehicle
 
 WAITS = {"stop", "wait", "stationary"}
 """What one does that stays before the junction."""
 STAYS_BEHIND = {*WAITS, "follow", "brake", "yield"}
 """What one does, first of all, that comes up behind others."""
 
+POCKET, CLEAR = 0.85, 0.35
+"""m beside the middle of a lane that has no other at its left at which one waits (`pocket` of the driving library), and
+m between the two."""
 NEXT_TO = {"left_lane", "right_lane", "beside"}
 
 
@@ -65,7 +69,14 @@ def aside(structure: Structure, plan: Plan, cid: str) -> str:
         cid = spec.placement.of
     first = structure[cid].spec
     assert isinstance(first, ObjectSpec)
-    return f"{'' if cid in plan.pocketed else '-2 * '}{pocket_name(first.placement.position)}_offset"
+    times = _times(structure, cid, plan.pocketed[cid]) if cid in plan.pocketed else -2.0
+    return f"{'' if times == 1 else f'{scope.number(times)} * '}{pocket_name(first.placement.position)}_offset"
+
+
+def _times(structure: Structure, waiting: str, by: str) -> float:
+    """How many times as far beside the middle of its lane one waits as a pocket is, so that wide ones have room."""
+    widths = [WIDTH[structure[cid].spec.type] for cid in (waiting, by)]  # type: ignore[union-attr]
+    return max(round((sum(widths) / 2 + CLEAR) / POCKET - 2, 1), 1.0)
 
 
 def _waits(spec: ObjectSpec) -> bool:

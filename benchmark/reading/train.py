@@ -1,9 +1,9 @@
 """`python -m c2s_bench.reading.train MODEL_FOLDER OUT`: fine-tune SmolLM2-135M (its GGUF) into the learned reader.
 
 A LoRA adapter over all linear layers, loss on the answer alone, bf16; OUT/reader.gguf is written for llama.cpp and
-Ollama. 64 pairs took 0.25 s on one H100, 45 s on one core. --start goes on from an adapter, with --writers on their
-texts and as many --replay of the others. Needs, besides torch and transformers, the packages accelerate and gguf, which
-c2s itself does not.
+Ollama. 64 pairs took 0.25 s on one H100, some 70 s on one core. --start goes on from an adapter, with --writers on
+their texts and a share (--replay) of the others. Needs, besides torch and transformers, the packages accelerate and
+gguf, which c2s itself does not.
 """
 
 import argparse

@@ -19,14 +19,13 @@ from c2s_engine.require.outcome import struck as struck_pairs
 from c2s_engine.require.reacting import TURNS, another_scene, reacts
 from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
-from c2s_engine.require.starts import OFF_LANES
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.crossers import before_whom
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.requirements import Requirement, Result, Value
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, SettingsSpec, Trigger
 from c2s_engine.structure.triggers import gives_way_by
-from c2s_engine.structure.vocabulary import VEHICLES, WITH_SIREN
+from c2s_engine.structure.vocabulary import VEHICLES
 
 THREATS = ("cut_in", "cross_road", "enter_road", "run_red", "run_stop", "oncoming", "reverse", "drift", "u_turn",
            "lose_control", "stationary", "stop", "brake")  # fmt: skip
@@ -152,8 +151,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
         name = scene.named(actor)
         text = f"{name} is a threat to ego: " + ("were ego not to react, they" if reacts else "they") + \
             " would collide or come very near."  # fmt: skip
-        if not _stands_beside(scene.objects[actor]):
-            yield scene.make("conflict", "threatens", actor, "threat", text, other=EGO, reaction=reacts)
+        yield scene.make("conflict", "threatens", actor, "threat", text, other=EGO, reaction=reacts)
         if reacts and scene.ego.reaction != "follow":
             others = tuple(a for a in scene.objects if a != actor)
             beside: dict[str, Value] = {"others": others} if others else {}
@@ -210,13 +208,6 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
     return [a for a in comers if any(p.action in turns for p in scene.objects[a].phases)]
 
 
-def _stands_beside(spec: ObjectSpec) -> bool:
-    """Whether somebody stands beside the road throughout: ego may slow or make room for it as a precaution, yet drives
-    past without harm where it does not. Its reaction is still required."""
-    doings = [p.action for p in spec.phases]
-    return spec.placement.position in OFF_LANES and doings != [] and set(doings) <= {"stationary", "wait"}
-
-
 def _comes_across(scene: Scene, spec: ObjectSpec) -> bool:
     """Whether one drives from the opposite approach over the way by which ego turns left."""
     if spec.placement.position != "opposite_approach" or spec.speed == 0 or spec.type not in VEHICLES:
@@ -241,16 +232,14 @@ def _threatens(spec: ObjectSpec) -> bool:
 
 
 def _onset_of(scene: Scene, actor: str) -> str:
-    """The action with which the threat begins: the one that ego waits for; '' where it is one from the start, as is
-    one with a siren: that it will not stop is to be expected of it."""
+    """The action with which the threat begins: the one that ego waits for; '' where it is one from the start."""
     spec, waits = scene.objects[actor], (p.trigger for p in scene.ego.phases if p.trigger is not None)
     if told := next((t.action for t in waits if t.kind == "action" and t.of == actor), None):
         return told
     turns = next((p.action for p in spec.phases if p.action in TURNS), "")
     if turns and spec.placement.position not in APPROACHES:  # from beside ego, having slowed for it
         return turns
-    found = next((p.action for p in spec.phases if p.action in THREATS and p.action != "stationary"), "")
-    return "" if spec.type in WITH_SIREN and found in ("run_red", "run_stop") else found
+    return next((p.action for p in spec.phases if p.action in THREATS and p.action != "stationary"), "")
 
 
 def threatens(requirement: Requirement, evidence: Evidence) -> Result:

@@ -9,7 +9,6 @@ from c2s_engine.require.measures import HORIZON, Line, Pair
 from c2s_engine.require.results import decided, scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure import sentences
-from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import Limit, RestrictionsSpec
 
@@ -18,7 +17,6 @@ UNITS = {"speed": "m/s", "acceleration": "m/s2", "deceleration": "m/s2", "latera
 APART = ("gap", "ttc")
 """What is between two, rather than of one."""
 
-SLOWS = ("brake", "stop", "wait", "yield")
 TRIED = 0.3
 """m/s2 under which nobody brakes: a bound on braking says nothing of that."""
 
@@ -29,16 +27,9 @@ def required(scene: Scene) -> Iterator[Requirement]:
     names = {cid: o.name for cid, o in scene.objects.items()}
     for i, limit in enumerate(spec.limits):
         text = f"{sentences.limit(limit, names)}."
-        untried = {"untried": True} if limit.subject == EGO and _may_never_brake(scene) else {}
         check = "untouched" if limit.kind == "collision" else "apart" if limit.kind in APART else "within"
         yield scene.make("limit", check, limit.subject, f"limits.{i}", text, other=limit.other, component="T",
-                         **_values(limit), **untried)  # fmt: skip
-
-
-def _may_never_brake(scene: Scene) -> bool:
-    """Whether S has ego keep its distance or get out of the way and nowhere says that it brakes: it may coast or change
-    lanes, and never to brake is within any bound on braking."""
-    return scene.ego.reaction in ("follow", "evade") and not any(p.action in SLOWS for p in scene.ego.phases)
+                         **_values(limit))  # fmt: skip
 
 
 def _values(limit: Limit) -> dict[str, float | str]:
@@ -54,7 +45,6 @@ def within(requirement: Requirement, evidence: Evidence) -> Result:
         settled = motion.time >= settles
         series.append((_of(motion, str(requirement.values["measure"]))[settled], motion.time[settled]))
     braking = requirement.values["measure"] == "deceleration" and requirement.values.get("least") is None
-    braking = braking and not requirement.values.get("untried")
     if braking and series and all(values.max(initial=0.0) < TRIED for values, _ in series):
         said = f"at most {requirement.values['most']:g} m/s2"
         return unknown(requirement, said, "not tried: it never brakes")

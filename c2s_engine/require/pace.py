@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 
 from c2s_engine.require.evidence import STANDING, Evidence, Motion
-from c2s_engine.require.moments import beside, onset
+from c2s_engine.require.moments import beside
 from c2s_engine.require.phases import AT_JUNCTION, LASTING
 from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
@@ -133,9 +133,6 @@ def first_event(requirement: Requirement, evidence: Evidence) -> Result:
     moments = [m for m in moments if m > 0.0] or moments  # what is so from the first is no event
     if not moments:
         return unknown(requirement, said, "not reached: nothing of what is said was seen")
-    if moments[0] > most:  # who overtakes has pulled out before
-        seen = ((key, action, m, evidence.times.get(key)) for key, action, m in _seen(requirement, evidence))
-        moments = sorted(onset(m, action, t) if action == "overtake" else t for _, action, m, t in seen if t)
     return scored(requirement, min(moments[0] - least, most - moments[0]), said, f"{moments[0]:.1f} s", moments[0],
                   measured=(moments[0], least, most))  # fmt: skip
 
@@ -155,18 +152,9 @@ def no_dead_time(requirement: Requirement, evidence: Evidence) -> Result:
     said, moments = f"at most {limit:g} s between two events", _moments(requirement, evidence)
     if not moments:
         return unknown(requirement, said, "not reached: nothing of what is said was seen")
-    contacts = [c.time for c in evidence.facts.contacts]
-    all_of = sorted({0.0, *moments, *contacts, *_on_its_way(requirement, evidence), *_speed_moments(evidence)})
+    all_of = sorted({0.0, *moments, *(c.time for c in evidence.facts.contacts), *_speed_moments(evidence)})
     gap, at = max(((b - a), a) for a, b in zip(all_of, all_of[1:], strict=False)) if len(all_of) > 1 else (0.0, 0.0)
     return scored(requirement, (limit - gap) / 2.0, said, f"{gap:.1f} s", at)
-
-
-def _on_its_way(requirement: Requirement, evidence: Evidence) -> Iterator[float]:
-    """All the while that somebody of whom that is said goes over a junction, however slowly."""
-    for _, action, m, time in ((k, a, m, evidence.times.get(k)) for k, a, m in _seen(requirement, evidence)):
-        if time is not None and action in AT_JUNCTION:
-            crossing = (m.time >= time) & (m.time <= _leaves(m, time, round_it=False)) & (m.speed > STANDING)
-            yield from map(float, m.time[crossing])
 
 
 def _speed_moments(evidence: Evidence) -> list[float]:

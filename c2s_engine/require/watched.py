@@ -26,9 +26,6 @@ AT_LINE = 3.0
 REACHED = 0.5
 """m/s within which a speed is reached."""
 
-OVERLAP = 0.05
-"""m between the boxes of two under which one stands on the other."""
-
 NEAR = {"distance": "view", "ttc": "soon"}
 """Bounds of how near is near, by what is watched."""
 
@@ -116,9 +113,7 @@ def comes_about(requirement: Requirement, evidence: Evidence) -> float | None:
         return None
     if kind == "contact":
         found = evidence.contacts(str(v["subject"]), str(v["than"]))
-        if found:
-            return found[0].time
-        kind, value = "distance", OVERLAP  # what lies flat on the road is driven over, which is no contact
+        return found[0].time if found else None
     if kind == "seen":
         if EGO not in (v["subject"], v["than"]):
             return None

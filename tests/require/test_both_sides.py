@@ -128,11 +128,6 @@ STOPS_AFTER_IT = EgoSpec(phases=(Phase(action="collide", target="O1"), Phase(act
 MERGE = (Mark(kind="merge", start=20.0, end=80.0, name="1"),)
 AT_END = EgoSpec(phases=(Phase(action="brake", speed=2.0, trigger=Trigger(kind="place", place="merge_end")),))
 ROUND = EgoSpec(phases=(Phase(action="go_straight"), Phase(action="stop")))
-ON_AND_OFF = (
-    Stay(time=0.0, lane=1, to_ego="own"),
-    Stay(time=2.0, lane=2, kind="junction", to_ego="own"),
-    Stay(time=9.0, lane=3, to_ego="own"),
-)
 STOPS_LATE = {"speed": ramp((0, 10), (10.9, 10), (12, 0)), "events": (event("go_straight", 2.0),)}
 
 
@@ -204,13 +199,6 @@ CASES = [
         s(ego=AT_END, place=PlaceSpec(kind="on_ramp")),
         Scene([ego(speed=ramp((0, 10), (6, 10), (9, 2), (12, 2)), marks=MERGE)]),
         Scene([ego(speed=ramp((0, 10), (4, 10), (7, 2), (12, 2)), marks=MERGE)]),
-    ),
-    (
-        "creeps over the junction meanwhile",
-        "T.pace.dead",
-        s(ego=ROUND),
-        Scene([ego(**STOPS_LATE, stays=ON_AND_OFF)]),
-        Scene([ego(**STOPS_LATE, stays=ON_AND_OFF[:1])]),
     ),
     (
         "drives round meanwhile",
@@ -725,16 +713,6 @@ def test_whom_ego_follows_and_overtakes_of_its_own_accord_need_not_threaten_it()
     assert "O1.threat" in {r.id for r in require(follows)}
 
 
-@pytest.mark.parametrize(("position", "action", "threatens"), [
-    ("sidewalk", "stationary", False), ("parked", "stationary", False), ("roadside", "move_along", True),
-    ("ahead", "stationary", True),
-])  # fmt: skip
-def test_who_stands_beside_the_road_throughout_need_not_threaten_ego(position, action, threatens) -> None:
-    spec = ObjectSpec(type="pedestrian", placement=Placement(position=position), phases=(Phase(action=action),))
-    found = {r.id for r in require(s(spec, ego=EgoSpec(reaction="brake", react_to="O1")))}
-    assert ("O1.threat" in found) is threatens and "E.reaction.O1" in found
-
-
 @pytest.mark.parametrize(("action", "goes"), [("stationary", False), ("move_along", True)])
 def test_who_only_stands_has_no_usual_speed(action, goes) -> None:
     spec = ObjectSpec(type="child", placement=Placement(position="sidewalk"), phases=(Phase(action=action),))
@@ -824,15 +802,6 @@ def test_a_bound_on_braking_is_not_tried_by_who_never_brakes(speed, holds) -> No
     assert found.holds is holds and ("not tried" in found.why) is (holds is None)
 
 
-@pytest.mark.parametrize(("reaction", "holds"), [("follow", True), ("evade", True), ("brake", None)])
-def test_who_keeps_its_distance_or_gets_out_of_the_way_need_not_brake_for_it(reaction, holds) -> None:
-    bound = t(Limit(kind="deceleration", subject="ego", maximum=2.0))
-    structure = s(ObjectSpec(), ego=EgoSpec(reaction=reaction, react_to="O1"), restrictions=bound)
-    run = Scene([ego(), other()]).run()
-    found = {r.requirement: r for r in evaluate(require(structure), run.facts, run.trajectories)}["T.limits.0"]
-    assert found.holds is holds
-
-
 def test_most_runs_decide_and_failures_are_told_in_a_line() -> None:
     shows, misses = Scene([ego(), other(speed=BRAKING)]).run(), Scene([ego(), other(speed=SLOWER)]).run()
     required = require(s(brakes()))
@@ -905,10 +874,3 @@ def test_deriving_and_judging_cost_little() -> None:
         results = evaluate(require(structure), scene.facts, scene.trajectories)
         times.append(time.process_time() - began)
     assert len(results) > 15 and sorted(times)[2] < 0.03
-
-
-@pytest.mark.parametrize(("kind", "begins"), [("car", "run_red"), ("fire_truck", "")])
-def test_one_with_a_siren_is_a_threat_before_it_can_no_longer_stop(kind, begins) -> None:
-    comes = ObjectSpec(type=kind, placement={"position": "crossing_left"}, phases=(Phase(action="run_red"),))
-    found = {r.id: r for r in require(s(comes, ego=EgoSpec(reaction="yield", react_to="O1")))}
-    assert found["E.reaction.O1"].values["action"] == begins

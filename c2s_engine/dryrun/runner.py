@@ -55,7 +55,8 @@ def run_scene(scene: Any, *, names: dict[int, str], components: dict[str, str], 
         facts, courses = with_courses(run.recording, index, run.extras)
     else:
         facts = derive(run.recording, index, run.extras)
-    objects = tuple(o.model_copy(update={"component": components.get(o.name)}) for o in facts.objects)
+    objects = tuple(o.model_copy(update={"component": components.get(o.name), "line": run.lines.get(o.name)})
+                    for o in facts.objects)  # fmt: skip
     update = {"seed": seed, "duration": run.duration, "ended_by": run.ended_by, "reason": run.reason}
     facts = facts.model_copy(update={**update, "objects": objects})
     if not trajectories:
@@ -67,13 +68,16 @@ def run_scene(scene: Any, *, names: dict[int, str], components: dict[str, str], 
 
 
 class Run:
-    """A run's recording and how it ended."""
+    """A run's recording, how it ended, and the line of the program at which each object's behavior was by then."""
 
     recording: Recording | None = None
     extras: MapExtras | None = None
     duration = 0.0
     ended_by: Any = "error"
     reason = ""
+
+    def __init__(self) -> None:
+        self.lines: dict[str, int] = {}
 
 
 def simulate(scene: Any, *, names: dict[int, str], seed: int, seconds: float, map_path: str) -> Run:
@@ -107,6 +111,8 @@ def simulate(scene: Any, *, names: dict[int, str], seed: int, seconds: float, ma
     if made and made[0].recorder.samples:
         simulation = made[0]
         labels = [names.get(id(o)) or f"{type(o).__name__.lower()}_{i}" for i, o in enumerate(simulation.objects)]
+        run.lines = {label: simulation.lines[id(o)] for label, o in zip(labels, simulation.objects, strict=True)
+                     if id(o) in simulation.lines}  # fmt: skip
         run.recording = simulation.recorder.finish(simulation.world.actors, labels, simulation.classes)
         run.recording.contacts = list(simulation.contacts.found) if simulation.contacts else []
         run.recording.params = dict(scene.params)

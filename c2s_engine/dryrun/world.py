@@ -6,6 +6,7 @@ from typing import Any
 
 import carla
 from scenic.core.dynamics.actions import _EndScenarioAction, _EndSimulationAction
+from scenic.core.dynamics.invocables import runTryInterrupt
 from scenic.core.simulators import SimulationCreationError, TerminationType
 from scenic.core.vectors import Vector
 from scenic.domains.driving.simulators import DrivingSimulation
@@ -80,6 +81,17 @@ class World(carla.World):
         return None
 
 
+def _line_of(behavior: Any) -> int | None:
+    """The line of the program at which a behavior is: the innermost that is not of a library beside it."""
+    line, running = None, getattr(behavior, "_runningIterator", None)
+    while (frame := getattr(running, "gi_frame", None)) is not None:
+        if frame.f_globals.get("__name__") == "__main__":  # as Scenic calls the program's own module
+            line = frame.f_lineno
+        of_interrupts = frame.f_code is runTryInterrupt.__code__
+        running = frame.f_locals["block"].runningIterator if of_interrupts else running.gi_yieldfrom
+    return line
+
+
 class DryRunSimulation(DrivingSimulation):
     """One run of a scene."""
 
@@ -95,6 +107,7 @@ class DryRunSimulation(DrivingSimulation):
         self.classes: list[str] = []
         self.contacts: Contacts | None = None
         self.acting: Any = None
+        self.lines: dict[int, int] = {}  # by id of an agent: where its behavior is, in the program's own text
         self.crashed: float | None = None
         self.braked = 0.0
         self.speeds: dict[int, float] = {}
@@ -198,6 +211,7 @@ class DryRunSimulation(DrivingSimulation):
 
     def _end(self, kind: TerminationType, reason: Any) -> tuple[TerminationType, str]:
         self.ended = kind
+        self.lines = {id(o): line for o in self.objects if (line := _line_of(o.behavior)) is not None}
         return kind, str(reason)
 
     def _decide(self, scenario: Any) -> Any:

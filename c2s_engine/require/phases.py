@@ -53,6 +53,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
             values["change"] = change
         if phase.action == "stop" and _after_contact(scene, actor, i):
             values["rolls_out"] = True
+        if phase.action in AT_JUNCTION and any(p.action in SLOWS for p in scene.actors[actor].phases[i + 1 :]):
+            values["halts"] = True
         if phase.duration is not None and scene.stated(component_of(actor), f"{path}.duration"):
             values["duration"] = low(phase.duration)
         towards = f" ({scene.named(phase.target)})" if phase.target else ""
@@ -193,7 +195,7 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
         if action == "swerve":
             times = [_begun(motion, t) for t in times] or moments.cut_off(motion)
         if action in AT_JUNCTION and not times:
-            times = _cut_short(motion, action)
+            times = _cut_short(motion, action, halts="halts" in requirement.values)
         if action == "yield" and not times:
             times = moments.let_go_first(motion, evidence.motion(requirement.other or EGO))
         if action == "keep_lane" and earliest and not times:
@@ -215,10 +217,12 @@ def _begun(motion: Motion, time: float) -> float:
     return float(motion.time[near[-1]]) if len(near) else time
 
 
-def _cut_short(motion: Motion, action: str) -> list[float]:
-    """When it came into the junction in which a contact ended its way, if it was going that way by then."""
+def _cut_short(motion: Motion, action: str, halts: bool) -> list[float]:
+    """When it came into the junction in which a contact ended its way, or, where S says that it `halts`, its coming to
+    a stand, if it was going that way by then."""
     inside = [s for s in motion.course.stays if s.kind == "junction"]
-    if motion.contact is None or not inside or action in ("run_red", "run_stop"):
+    ended = motion.contact is not None or halts and motion.speed[-1] < STANDING
+    if not ended or not inside or action in ("run_red", "run_stop"):
         return []
     turned = float(motion.heading[-1] - motion.heading[motion.at(inside[-1].time)])
     begun = bounds()["phase"]["turn_begun"]["value"]
@@ -248,6 +252,7 @@ def _missed(requirement: Requirement, evidence: Evidence, motion: Motion, action
     """What was seen instead, and how far it is from what is said."""
     instead = list(dict.fromkeys(e.event.replace("_", " ") for e in motion.facts.events))
     seen = f"not seen; instead: {', '.join(instead[:4])}" if instead else "nothing of note"
+    seen += f"; its behavior ended at line {motion.facts.line} of the program" if motion.facts.line else ""
     margin = -1.0
     if action == "brake":
         drop = float((np.maximum.accumulate(motion.smooth) - motion.smooth).max())

@@ -23,7 +23,8 @@ def ended_earlier(structure: Structure, other: Structure, runs: Sequence[Run]) -
 def _cut(run: Run, seconds: float) -> Run:
     facts = run.facts
     objects = tuple(
-        o.model_copy(update={"events": tuple(e for e in o.events if e.time <= seconds)}) for o in facts.objects
+        o.model_copy(update={"events": tuple(e for e in o.events if e.time <= seconds), "line": None})
+        for o in facts.objects
     )
     contacts = tuple(c for c in facts.contacts if c.time <= seconds)
     ended: RunFacts = facts.model_copy(update={"duration": seconds, "ended_by": "terminated", "objects": objects,

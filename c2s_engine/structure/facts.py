@@ -47,7 +47,8 @@ class StartFact(_Frozen):
 
 
 class ObjectFacts(_Frozen):
-    """One object of the scene. `name` is its variable in the program (`queue[1]` for a member of a list)."""
+    """One object of the scene. `name` is its variable in the program (`queue[1]` for a member of a list); `line`: the
+    line of the program at which its behavior was when the run ended."""
 
     name: str
     component: str | None = None
@@ -61,6 +62,7 @@ class ObjectFacts(_Frozen):
     starts: dict[str, StartFact] = {}  # by the other object's name
     hidden_behind: tuple[str, ...] = ()
     events: tuple[EventFact, ...] = ()
+    line: int | None = None
 
     def shows(self, event: str, other: str | None = None) -> bool:
         """Whether it showed that event (towards that other object, where one is named)."""

@@ -55,6 +55,8 @@ def brakes(**values: Any) -> ObjectSpec:
 
 
 BRAKING = ramp((0, 10), (4, 10), (5, 4), (12, 4))
+STOPS = ramp((0, 10), (4, 10), (7, 0), (12, 0))
+INTO_JUNCTION = (Stay(time=0, lane=1), Stay(time=4, lane=3, kind="junction", to_ego="crossing"))
 SLOWER = ramp((0, 10), (4, 10), (5, 8.6), (12, 8.6))
 CUT_IN = ObjectSpec(
     placement=Placement(position="left_lane", along="ahead"), phases=(Phase(action="cut_in", side="right"),)
@@ -330,6 +332,13 @@ CASES = [
                 ),
             ]
         ),
+    ),
+    (
+        "a turn that a stop ends",
+        "O1.phases.0.turn_left",
+        s(ObjectSpec(phases=(Phase(action="turn_left"), Phase(action="stop"))), place=PlaceSpec(kind="intersection")),
+        Scene([ego(), other(speed=STOPS, heading=ramp((0, 0), (4, 0), (6, 0.6), (12, 0.6)), stays=INTO_JUNCTION)]),
+        Scene([ego(), other(speed=STOPS, stays=INTO_JUNCTION)]),
     ),
     (
         "contact",

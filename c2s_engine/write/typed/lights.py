@@ -6,7 +6,7 @@ from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import RAMP, TURN, is_static, is_vehicle
-from c2s_engine.write.typed.watching import watched
+from c2s_engine.write.typed.watching import SECONDS, watched
 
 FOR_ALL = {"flashing", "dark"}
 """What all lights of a junction show at once."""
@@ -81,7 +81,10 @@ def obeyed(phases: list[Phase], settings: SettingsSpec) -> list[Phase]:
         if change.to in HALTS and not waits:
             stop = next((i for i, p in enumerate(found) if p.action == "stop" and p.trigger is None), None)
             trigger = Trigger(kind="light", light=change.to)
-            if stop is None:
+            said = next((i for i, p in enumerate(found) if p.action == "stop" and p.trigger == trigger), None)
+            if said is not None:
+                at = said + 1
+            elif stop is None:
                 found.insert(at, Phase(action="stop", trigger=trigger))
                 at += 1
             else:
@@ -98,8 +101,11 @@ def obeyed(phases: list[Phase], settings: SettingsSpec) -> list[Phase]:
 
 def _changes(structure: Structure, plan: Plan, settings: SettingsSpec) -> list[str]:
     shows, lines = first(settings), []
-    for change in settings.light_changes:
+    for i, change in enumerate(settings.light_changes):
         condition = watched(structure, plan, change.when, "E", "ego")
+        if i and change.when.kind == "time" and change.when.value is None:  # as long after the change before it
+            lines.append("    since = clock()")
+            condition = f"clock() - since >= {SECONDS:g}"
         lines += [f"    while not ({condition}):", *_set(structure, shows), "        wait"]
         if change.when.delay is not None:
             lines += [

@@ -313,11 +313,11 @@ class Engine:
         """The phrases of a text that make no difference to the S which the embedded interpreter reads (a second or
         more) and are not in `read_so` either, if that was read by a model; or to what the text changes in the S upon
         which it is said. Raises Unreadable."""
-        from c2s_engine.session.no_effect import changes_nothing, without_effect
+        from c2s_engine.session.no_effect import edit_phrases_without_effect, without_effect
 
         if upon is None or upon.blank:
             return await without_effect(text, self.tools, read_so)
-        return await changes_nothing(text, upon, self.tools)
+        return await edit_phrases_without_effect(text, upon, self.tools)
 
     def gaps(self, ways: Trajectories) -> dict[str, list[float]]:
         """By each other's name, m between its box and ego's (bumper to bumper) at each step of a run."""

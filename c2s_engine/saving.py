@@ -30,7 +30,7 @@ def save(
 ) -> list[Path]:
     """Write a program, and its map and library beside it (unless they already lie there); the files written.
 
-    `folders`: where its map may lie, the likeliest first; one that is in none of them is told by `lacking`.
+    `folders`: where its map may lie, the likeliest first; `missing_files` lists those that are in none of them.
     `standalone`: with what it uses of the driving library in it. `structure`: its S, written as NAME.s.json.
 
     Raises OSError; the program's text is written beside and renamed, so that a full disk loses nothing.
@@ -63,13 +63,13 @@ def save(
     return written
 
 
-def lacking(file: Path) -> list[str]:
+def missing_files(file: Path) -> list[str]:
     """The files that a saved program names beside it and that are not there."""
     named = _named(file.read_text(encoding="utf-8"))
     return [name for name in dict.fromkeys(named) if not (file.parent / name).is_file()]
 
 
-def told_lacking(names: Sequence[str]) -> str:
+def missing_files_message(names: Sequence[str]) -> str:
     """That they have to be put there."""
     return f"Put {' and '.join(names)} beside it: the program needs {'them' if names[1:] else 'it'} to run elsewhere."
 

@@ -144,9 +144,9 @@ class Backend:
     ) -> tuple[list[Path], list[str]]:
         """Write a program, its map and its S beside it; the files written, and those that it needs and that are in
         none of the folders. Raises OSError."""
-        from c2s_engine.saving import lacking, save
+        from c2s_engine.saving import missing_files, save
 
-        return save(program, (*folders, self.folder(program.text)), target, structure=structure), lacking(target)
+        return save(program, (*folders, self.folder(program.text)), target, structure=structure), missing_files(target)
 
     async def close(self) -> None:
         """Close the session, the engine and the thread. None that is slow to end is waited for: the pipe of a process

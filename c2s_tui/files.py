@@ -55,7 +55,7 @@ class Files(Part):
 
     async def write(self, target: Path) -> None:
         """Write the text that the code pane shows, edits that are not applied included."""
-        from c2s_engine.saving import told_lacking
+        from c2s_engine.saving import missing_files_message
 
         program = self.desk.program.model_copy(update={"text": self.bench.code.text})
         try:
@@ -69,7 +69,7 @@ class Files(Part):
         self.saved_text = program.text
         await self.chat.note(f"Saved {', '.join(p.name for p in written)} in {target.absolute().parent}.")
         if lacking:
-            await self.chat.note(told_lacking(lacking), "warning")
+            await self.chat.note(missing_files_message(lacking), "warning")
 
     async def _resolve_change(self, answer: str | None, target: Path) -> None:
         if answer == "over":

@@ -7,7 +7,7 @@ from textual.message import Message
 from c2s_engine.structure.edits import Edit
 
 
-class Said(Message):
+class TextSubmitted(Message):
     """A line was sent from the chat: a turn, or a command where it begins with a slash."""
 
     def __init__(self, text: str):

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from textual.content import Content
 
-from c2s_engine.retrieve.provenance import whose
+from c2s_engine.retrieve.provenance import attribution
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import SetCode
 from c2s_engine.structure.progress import Passage
@@ -82,7 +82,7 @@ class Search(Part):
         if chosen is None:
             await self._no_result("read")
             return
-        notes = f"{whose(chosen)}\n" if whose(chosen) else ""
+        notes = f"{attribution(chosen)}\n" if attribution(chosen) else ""
         head = f"{chosen.source}{f', {chosen.clause}' if chosen.clause else ''}\n{notes}\n"
         use = f"/use {argument}" if chosen.kind == "doc" else f"/use {argument} ID"
         foot = f"Esc goes back, c copies; {use} in the chat uses it"

@@ -76,9 +76,9 @@ class Sessions(Part):
             if not turn.asked:
                 await self.chat.note(turn.summary[:1].upper() + turn.summary[1:])
         if session.idle:
-            from c2s_engine.session.no_effect import told
+            from c2s_engine.session.no_effect import phrases_sentence
 
-            await self.chat.note(told(session.idle, of=session.structure.text))
+            await self.chat.note(phrases_sentence(session.idle, of=session.structure.text))
         await self._recover(session)
 
     async def _opened(self, name: str) -> "Session":

@@ -7,7 +7,7 @@ from textual.content import Content
 from textual.widgets import Static
 
 from c2s_engine.config import METHOD
-from c2s_engine.structure.account import not_wholly
+from c2s_engine.structure.account import count_lost_clauses
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.requirements import tally
 from c2s_tui.desk import Desk
@@ -84,7 +84,7 @@ def line(desk: Desk, choice: Choice, working: str, width: int, choosing: str = "
         add((str(hit), "$muted" if hit.said else "bold $text-error"))
     seen, required = tally(desk.results)
     if required:
-        lost = not_wholly(desk.structure, desk.idle)
+        lost = count_lost_clauses(desk.structure, desk.idle)
         short = f"; {lost} clause{'s' * (lost > 1)} lost" if lost else ""
         whole = seen == required and not lost
         words = "requirements met" if width >= 100 else "met"

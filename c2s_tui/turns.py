@@ -113,7 +113,7 @@ class Turns(Part):
     ) -> None:
         """When a description, or a change of S (`upon`), was read, say which of its words make no difference; those of
         a description count in the line that closed its turn, too."""
-        from c2s_engine.session.no_effect import told
+        from c2s_engine.session.no_effect import phrases_sentence
         from c2s_tui.summary import summary
 
         now, turn, session = self.desk.structure, self.count, self.session
@@ -131,7 +131,7 @@ class Turns(Part):
                 self.desk = replace(self.desk, idle=found)
                 closing.say(summary(self.desk)[0])
                 self.bench.show()
-            await self.chat.note(told(found, of=text), "note")
+            await self.chat.note(phrases_sentence(found, of=text), "note")
 
     async def _take(self, event: Progress) -> None:
         if isinstance(event, StageStarted):

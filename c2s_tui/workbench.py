@@ -31,7 +31,7 @@ from c2s_tui.drawing import Drawing
 from c2s_tui.files import WATCH_SECONDS, Files
 from c2s_tui.keys import KeyBar, named
 from c2s_tui.leaving import Leaving
-from c2s_tui.messages import CodeTyped, CommandAsked, EditsAsked, Picked, ReachAsked, Said
+from c2s_tui.messages import CodeTyped, CommandAsked, EditsAsked, Picked, ReachAsked, TextSubmitted
 from c2s_tui.palette import Palette
 from c2s_tui.part import sentence
 from c2s_tui.past import Past
@@ -205,8 +205,8 @@ class Workbench(Screen):
             said = f"An error in the app, please report it: {type(error).__name__}: {sentence(error)}"
             await self.chat.note(said, "error")
 
-    @on(Said)
-    async def _said(self, event: Said) -> None:
+    @on(TextSubmitted)
+    async def _said(self, event: TextSubmitted) -> None:
         self.chat.conversation.anchor()  # the answer comes at the end
         command = split(event.text)
         if self.session is None and (command is None or command[0] not in AT_ANY_TIME):

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from itertools import permutations
 from typing import Any
 
-from c2s_bench.interpret import said
+from c2s_bench.interpret import record_terms
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import high, low
 
@@ -38,13 +38,13 @@ def judge(structure: Structure, expect: dict[str, Any]) -> list[Verdict]:
         found.append(Verdict("numbers", _within(ego.speed, speed), f"ego speed {speed}"))  # type: ignore[union-attr]
     kind = expect.get("ego", {}).get("type")
     if kind:
-        found.append(Verdict("types", bool(said.types_of(ego.type) & set(_list(kind))), f"ego {kind}"))  # type: ignore[union-attr]
+        found.append(Verdict("types", bool(record_terms.types_of(ego.type) & set(_list(kind))), f"ego {kind}"))  # type: ignore[union-attr]
     found += _order(structure, expect.get("order", []), names)
     found += _road(structure, place, expect)
     found += _environment(structure, expect.get("environment", {}))
     used = {c.id for _, c in match if c is not None}
     for component in structure.objects:
-        if component.id not in used and component.spec.type in said.MOVERS and said._moves(component.spec):  # type: ignore[union-attr,arg-type]
+        if component.id not in used and component.spec.type in record_terms.MOVERS and record_terms._moves(component.spec):  # type: ignore[union-attr,arg-type]
             found.append(Verdict("surplus", False, f"surplus {component.spec.name}"))  # type: ignore[union-attr]
     return found
 
@@ -82,7 +82,7 @@ def _actor(
     found.append(
         Verdict(
             "types",
-            spec is not None and bool(said.types_of(spec.type) & set(_list(actor.get("type", "any")))),
+            spec is not None and bool(record_terms.types_of(spec.type) & set(_list(actor.get("type", "any")))),
             f"{label} is {actor.get('type')}",
         )
     )
@@ -107,7 +107,7 @@ def _actor(
 
 def _starts(actor: dict[str, Any], spec: Any, names: dict[str, str]) -> list[Verdict]:
     label, starts = actor["as"], actor["starts"]
-    relations, lanes = said.relations_of(spec) if spec is not None else (set(), set())
+    relations, lanes = record_terms.relations_of(spec) if spec is not None else (set(), set())
     of = starts.get("of")
     direct = spec is not None and (
         of is None and spec.placement.of == "ego" or of is not None and spec.placement.of == names.get(of) or of is None
@@ -148,7 +148,7 @@ def _event(structure: Structure, component: Component | None, event: Any, names:
         verdicts = [_event(structure, component, e, names, label) for e in target or ()]
         return Verdict("actions", any(v.holds for v in verdicts), f"{label} any of {target}")
     goal = names.get(target, "?") if target else None
-    holds = component is not None and said.shows(component.spec, name, goal, structure.place.spec, structure.ego.spec)  # type: ignore[arg-type]
+    holds = component is not None and record_terms.shows(component.spec, name, goal, structure.place.spec, structure.ego.spec)  # type: ignore[arg-type]
     return Verdict("actions", holds, f"{label} {name}" + (f" {target}" if target else ""))
 
 
@@ -204,7 +204,7 @@ def _road(structure: Structure, place: Any, expect: dict[str, Any]) -> list[Verd
         }[what]  # fmt: skip
         add(holds, f"{item}")
     for item in expect.get("temporary", []):
-        add(item["is"] in said.temporary(structure), f"temporary {item['is']}")
+        add(item["is"] in record_terms.temporary(structure), f"temporary {item['is']}")
     return found
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from c2s_bench.records import BenchmarkError
-from c2s_engine.report.gather import Told, of_text
+from c2s_engine.report.gather import TextRecord, of_text
 from c2s_engine.report.material import Material
 from c2s_engine.report.writing import write
 
@@ -13,7 +13,7 @@ RUBRIC = Path(__file__).with_name("rubric.md")
 
 
 async def write_dossiers(
-    told: Sequence[Told], out: Path, *, blind: bool = True, method: str | None = None, model: str | None = None,
+    told: Sequence[TextRecord], out: Path, *, blind: bool = True, method: str | None = None, model: str | None = None,
     seed: int = 0,
 ) -> list[Material]:  # fmt: skip
     """A folder for each text with its dossier under the rubric; the run itself goes to `out`.key for the comparison."""

@@ -19,7 +19,7 @@ from c2s_engine.api import Engine
 from c2s_engine.config import Settings
 from c2s_engine.interpret import EmbeddedInterpreter
 from c2s_engine.interpret.learned import learned
-from c2s_engine.report.gather import Told, of_text
+from c2s_engine.report.gather import TextRecord, of_text
 from c2s_engine.structure.components import Structure
 
 Read = Callable[[str], Structure]
@@ -53,7 +53,7 @@ async def run(chosen: list[Scene]) -> None:
     whole, failing, problems = 0, Counter[str](), 0
     async with Engine(Settings()) as engine:
         for number, scene in enumerate(chosen, 1):
-            material = await of_text(engine, Told(scene.id, scene.texts[0], "", scene.structure))
+            material = await of_text(engine, TextRecord(scene.id, scene.texts[0], "", scene.structure))
             failed = {re.sub(r"^\w+\.|\.\d+", "", r.requirement) for r in material.results if not r.holds}
             problems += bool(material.problem)
             whole += not failed and not material.problem

@@ -5,7 +5,7 @@ from itertools import count
 from c2s_bench.reading.agreement import matching
 from c2s_engine.api import Engine
 from c2s_engine.interpret.llm.fallback import renumbered
-from c2s_engine.report.gather import Told, of_text
+from c2s_engine.report.gather import TextRecord, of_text
 from c2s_engine.require import evaluate, require
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.requirements import Result
@@ -33,7 +33,7 @@ def in_the_terms_of(there: Structure, read: Structure) -> Structure:
 async def seen(engine: Engine, name: str, read: Structure, there: Structure) -> tuple[Result, ...]:
     """What S by hand requires, as the run of S as read shows it; nothing where that does not run. What needs a second
     run without ego's reaction is not judged."""
-    material = await of_text(engine, Told(name, read.text or there.text, "", read))
+    material = await of_text(engine, TextRecord(name, read.text or there.text, "", read))
     if material.facts is None or material.ways is None:
         return ()
     results = evaluate(require(in_the_terms_of(there, read)), material.facts, material.ways)

@@ -21,7 +21,7 @@ class Measure:
     who: int
 
     @property
-    def told(self) -> str:
+    def description(self) -> str:
         label = MEASURES[self.name][0].format(self.argument)
         return f"other: {label}" if self.who else label
 

@@ -193,7 +193,7 @@ class Context:
             vehicle: Any = kind if kind in get_args(VehicleType) else "car"
             common |= {"reaction": "brake" if conduct.brakes else "none", "hard": conduct.hard}
             spec: Any = specs.EgoSpec(type=vehicle, **common)
-            return spec, self._told(cid, made, common, None, behavior, conduct, units), tuple(unmet)
+            return spec, self._object_sentence(cid, made, common, None, behavior, conduct, units), tuple(unmet)
         placement = None if count > 1 else self._placement(cid, name, made, common)
         guess = self._as_required(cid, name or cid) if placement is None else None
         if placement is None:
@@ -203,7 +203,7 @@ class Context:
         common |= {"count": count} if 1 < count <= COUNTED else {}
         own = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name)
         spec = specs.ObjectSpec(name=own or kind or "actor", type=kind or "obstacle", **common)
-        return spec, self._told(cid, made, common, placement, behavior, conduct, units), tuple(unmet)
+        return spec, self._object_sentence(cid, made, common, placement, behavior, conduct, units), tuple(unmet)
 
     def _placement(self, cid: str, name: str, made: Any, common: dict[str, Any]) -> specs.Placement | None:
         """Where an object starts; one on the opposite approach also gets the way that it takes."""
@@ -244,7 +244,7 @@ class Context:
                     return int(value)
         return 0
 
-    def _told(
+    def _object_sentence(
         self,
         cid: str,
         made: Any,

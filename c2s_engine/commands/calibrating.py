@@ -75,7 +75,7 @@ async def compared(manoeuvre: Manoeuvre, file: Path, sides: dict[str, Backend]) 
             values[side], why[side] = [None] * len(manoeuvre.measures), str(error)
     rows: list[dict[str, Any]] = []
     for k, measure in enumerate(manoeuvre.measures):
-        row: dict[str, Any] = {"manoeuvre": manoeuvre.name, "measure": measure.told, "unit": measure.unit}
+        row: dict[str, Any] = {"manoeuvre": manoeuvre.name, "measure": measure.description, "unit": measure.unit}
         given = {side: values[side][k] for side in sides}
         row |= {side: None if value is None else round(value, 3) for side, value in given.items()}
         here, there = given.get("dry_run"), given.get("carla")

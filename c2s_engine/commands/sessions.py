@@ -88,7 +88,7 @@ def edit(
         if output is not None:
             from c2s_engine.config import load_settings
             from c2s_engine.maps.library import MapLibrary
-            from c2s_engine.saving import lacking, save, told_lacking
+            from c2s_engine.saving import missing_files, missing_files_message, save
 
             settings = load_settings()
             at_hand = MapLibrary(settings.map_folders, settings.carla_root).folder_of(session.program.text)
@@ -96,8 +96,8 @@ def edit(
             written = save(session.program, folders, output, standalone, session.structure)
             if not as_json:
                 err.print(Text(f"saved {', '.join(map(str, written))}"))
-            if missing := lacking(output):
-                err.print(Text(told_lacking(missing), style="yellow"))
+            if missing := missing_files(output):
+                err.print(Text(missing_files_message(missing), style="yellow"))
         if not as_json:
             _print(session, done.details.get("without_effect", ()) if done else ())
             show.contradictions(done.details if done else {})

@@ -11,11 +11,11 @@ from c2s_engine.commands.console import out
 from c2s_engine.session import no_effect
 from c2s_engine.session.seeds import verdict
 from c2s_engine.session.why import KEPT
-from c2s_engine.structure.account import not_wholly, requirements_met
+from c2s_engine.structure.account import count_lost_clauses, requirements_met
 from c2s_engine.structure.components import Structure, Unmet, given_up, unrecognised
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
+from c2s_engine.structure.event_words import ended, event_phrase
 from c2s_engine.structure.facts import EventFact, RunFacts
-from c2s_engine.structure.happening import ended, told
 from c2s_engine.structure.measures import Measures, SeedResult, collisions
 from c2s_engine.structure.offers import verdict as contradicting
 from c2s_engine.structure.requirements import Requirement, Result, failures
@@ -83,7 +83,7 @@ def outcome(
 def without_effect(found: Sequence[Unmet], to: Console = out) -> None:
     """Words of the text without which S would be the same."""
     if found:
-        to.print(Text(no_effect.told(found), style="yellow"))
+        to.print(Text(no_effect.phrases_sentence(found), style="yellow"))
 
 
 def contradictions(details: Mapping[str, Any], to: Console = out) -> None:
@@ -103,7 +103,7 @@ def _runs(
         events = sorted((e.time, o.name, e.event, e.other) for o in f.objects for e in o.events)
         table = Table(show_header=False, box=None, pad_edge=False)
         for time, name, event, other in events:
-            told_of = told(EventFact(event=event, time=time, other=other))
+            told_of = event_phrase(EventFact(event=event, time=time, other=other))
             table.add_row(f"{time:5.1f} s", Text(name), Text(told_of))
         to.print(table)
         for hit in collisions(f, requirements, in_text):
@@ -142,7 +142,7 @@ def _required(
     """How much of what S requires was seen, and of the text is not in S; a line for each failure."""
     if not results:
         return
-    whole = all(r.holds for r in results) and not not_wholly(s, idle)
+    whole = all(r.holds for r in results) and not count_lost_clauses(s, idle)
     to.print(Text(requirements_met(s, results, idle), style="green" if whole else "yellow"))
     for line in failures(requirements, results):
         to.print(Text(line, style="yellow"))

@@ -83,7 +83,8 @@ class World(carla.World):
 
 def _line_of(behavior: Any) -> int | None:
     """The line of the program at which a behavior is: the innermost that is not of a library beside it."""
-    line, running = None, getattr(behavior, "_runningIterator", None)
+    line: int | None = None
+    running: Any = getattr(behavior, "_runningIterator", None)
     while (frame := getattr(running, "gi_frame", None)) is not None:
         if frame.f_globals.get("__name__") == "__main__":  # as Scenic calls the program's own module
             line = frame.f_lineno

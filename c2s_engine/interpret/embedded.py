@@ -15,7 +15,7 @@ from c2s_engine.interpret.accounting import accounted
 from c2s_engine.interpret.composing import compose
 from c2s_engine.interpret.entities import VEHICLES
 from c2s_engine.interpret.reading.english import is_english
-from c2s_engine.interpret.reading.spelling import Mended
+from c2s_engine.interpret.reading.spelling import NormalisedText
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.structure.account import covering
 from c2s_engine.structure.components import Structure, Unmet
@@ -90,7 +90,7 @@ class Understood:
     """A text with its spelling mended, the scene that it tells, and the interpreter's own S of it."""
 
     text: str
-    mended: Mended
+    mended: NormalisedText
     scene: Scene
     structure: Structure
 
@@ -107,7 +107,7 @@ def understood(text: str) -> Understood:
     if not is_english(text):
         raise InterpretError(NOT_ENGLISH)
     with faults():
-        mended = Mended(text[:READ_AT_MOST])
+        mended = NormalisedText(text[:READ_AT_MOST])
         scene = typologies.understand(mended.text)
         if not _has_scene(scene):
             raise InterpretError(
@@ -141,7 +141,7 @@ class EmbeddedInterpreter:
             )
 
 
-def _on_original(structure: Structure, mended: Mended, text: str) -> Structure:
+def _on_original(structure: Structure, mended: NormalisedText, text: str) -> Structure:
     """The structure with its links, notes and clauses on the user's own text."""
     for component in structure.components:
         links = [li if li.span is None else back for li in component.links if (back := _back(li, mended, "label"))]
@@ -160,11 +160,11 @@ def _on_original(structure: Structure, mended: Mended, text: str) -> Structure:
     return structure.model_copy(update=update)
 
 
-def _notes(notes: tuple[Unmet, ...], mended: Mended) -> tuple[Unmet, ...]:
+def _notes(notes: tuple[Unmet, ...], mended: NormalisedText) -> tuple[Unmet, ...]:
     return tuple(back for note in notes if (back := _back(note, mended, "text")))
 
 
-def _back(found: Any, mended: Mended, words: str) -> Any:
+def _back(found: Any, mended: NormalisedText, words: str) -> Any:
     """A link or note on the user's own text; None where it has no place there."""
     start, end = (mended.back(at) for at in found.span or (0, 0))
     if not start < end <= len(mended.original):
@@ -172,7 +172,7 @@ def _back(found: Any, mended: Mended, words: str) -> Any:
     return found.model_copy(update={"span": (start, end), words: mended.original[start:end]})
 
 
-def _spans_back(value: Any, mended: Mended) -> Any:
+def _spans_back(value: Any, mended: NormalisedText) -> Any:
     if isinstance(value, dict):
         return {
             k: (mended.back(v[0]), mended.back(v[1])) if k == "span" and v else _spans_back(v, mended)

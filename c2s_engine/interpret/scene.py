@@ -8,7 +8,7 @@ from c2s_engine.interpret.surroundings.place import Road
 from c2s_engine.interpret.surroundings.settings import Settings
 from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.what.event import Event
-from c2s_engine.interpret.what.limits_told import LimitTold
+from c2s_engine.interpret.what.stated_limits import StatedLimit
 from c2s_engine.interpret.what.towards import side
 from c2s_engine.interpret.where.relations import Places, Where
 from c2s_engine.interpret.who.mentions import Cast, Entity
@@ -76,7 +76,7 @@ class Scene:
     by_ego: dict[Entity, tuple[float, float]] = field(default_factory=dict)  # speeds by ego's: (times, plus m/s)
     spans: list[scan.Span] = field(default_factory=list)
     ids: dict[Entity, str] = field(default_factory=dict)  # who is which component of S: ego, O1, ...
-    limits: list[LimitTold] = field(default_factory=list)  # what must be kept to all along
+    limits: list[StatedLimit] = field(default_factory=list)  # what must be kept to all along
     endings: list[tuple[int, int]] = field(default_factory=list)  # where the conditions stand that end the run
 
     def events(self, entity: Entity) -> list[Event]:

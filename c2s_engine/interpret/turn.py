@@ -5,17 +5,17 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes import asked, notes, pointed, put, refine, retold
-from c2s_engine.interpret.changes.corrected import Last, after, corrected, differences, of_the_same
+from c2s_engine.interpret.changes import asked, notes, pointed, put, refine, scene_context
+from c2s_engine.interpret.changes.corrected import PreviousTurn, after, corrected, differences, of_the_same
 from c2s_engine.interpret.changes.forms import ALREADY
 from c2s_engine.interpret.changes.kept import removed
 from c2s_engine.interpret.changes.refer import refer
-from c2s_engine.interpret.changes.unsaid import unsaid
+from c2s_engine.interpret.changes.unmatched_details import unmatched_details
 from c2s_engine.interpret.embedded import NOT_ENGLISH, faults
 from c2s_engine.interpret.entities import MOVERS
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.reading.english import is_english
-from c2s_engine.interpret.reading.spelling import Mended
+from c2s_engine.interpret.reading.spelling import NormalisedText
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import AddObject, Edit, SetField
 from c2s_engine.structure.quantity import ends, in_words
@@ -40,7 +40,7 @@ class Turn:
     """Whether it does what the turn before did otherwise."""
 
 
-def route(text: str, structure: Structure | None, last: Last | None = None) -> Turn:
+def route(text: str, structure: Structure | None, last: PreviousTurn | None = None) -> Turn:
     """Decide what the text asks for, given the S at hand (None: there is none yet) and what was typed last;
     raises InterpreterFault."""
     if not is_english(text):
@@ -50,7 +50,7 @@ def route(text: str, structure: Structure | None, last: Last | None = None) -> T
         return again or _route(text, structure)
 
 
-def _again(text: str, structure: Structure, last: Last) -> Turn | None:
+def _again(text: str, structure: Structure, last: PreviousTurn) -> Turn | None:
     """The turn where the text corrects the last one: that is taken back, and done as it was meant."""
     plain = " ".join(scan.normalised(text).rstrip("?!. ").split())
     meant = corrected(plain, structure, last) if len(plain.split()) < 16 else None
@@ -74,7 +74,7 @@ def _route(text: str, structure: Structure | None) -> Turn:
     for find, new in language.table("turns")["hurried"]:
         text = re.sub(find, new, text, flags=re.IGNORECASE)
     text = re.sub(table["both_ways"], r"swap \1 and \2", text)
-    text = Mended(re.sub(table["arrows"], " becomes ", text), scene=False).text
+    text = NormalisedText(re.sub(table["arrows"], " becomes ", text), scene=False).text
     text = re.sub(table["lines"], ". ", text.strip())
     plain = " ".join(scan.normalised(text).split())
     whole = (0, len(typed))
@@ -110,7 +110,8 @@ def _route(text: str, structure: Structure | None) -> Turn:
     if stranger and edits and not any(isinstance(e, AddObject) for e in edits):
         return Turn("edit", reply=_not_understood(typed, pointed.absent(stranger, structure)), span=whole)
     already = bool(said) and all(s.startswith(ALREADY) for s in said)
-    if (already or edits and _same_specs(structure, after(structure, edits))) and (lost := unsaid(plain, structure)):
+    idle = already or edits and _same_specs(structure, after(structure, edits))
+    if idle and (lost := unmatched_details(plain, structure)):
         why = f"it is not clear what {' and '.join(f'“{words}”' for words in lost)} changes"
         return Turn("edit", reply=_not_understood(typed, why), span=whole)
     if edits:
@@ -240,7 +241,7 @@ def _adds(plain: str, structure: Structure) -> bool:
     """Whether a text only tells of somebody new in the scene that is there."""
     table = language.table("refine")["told"]
     apart = re.sub(table["meanwhile"], " ", plain)
-    return bool(re.match(table["adds"], plain)) and not retold.tells_ego(apart, structure)
+    return bool(re.match(table["adds"], plain)) and not scene_context.tells_ego(apart, structure)
 
 
 def _goes_on(plain: str, structure: Structure) -> bool:

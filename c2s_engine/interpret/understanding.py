@@ -11,17 +11,17 @@ from c2s_engine.interpret.what.aftermath import aftermath
 from c2s_engine.interpret.what.bearings import against_the_traffic, sides_by_compass
 from c2s_engine.interpret.what.claims import claimed
 from c2s_engine.interpret.what.clauses import Clauses
+from c2s_engine.interpret.what.fill_omissions import fill_omissions
 from c2s_engine.interpret.what.foot_crossings import on_foot
+from c2s_engine.interpret.what.implicit_roles import implicit_roles, reassign_unnoticed_collisions
 from c2s_engine.interpret.what.indicated import indicated
-from c2s_engine.interpret.what.left_untold import left_untold
-from c2s_engine.interpret.what.limits_told import limits_told
 from c2s_engine.interpret.what.onwards import same_side
 from c2s_engine.interpret.what.passing import came_up_behind
 from c2s_engine.interpret.what.passives import unnamed_doers
 from c2s_engine.interpret.what.run_ends import run_ends
-from c2s_engine.interpret.what.sense import rules_of_sense
-from c2s_engine.interpret.what.unsaid import by_who_did_not_notice, unsaid
-from c2s_engine.interpret.where.own_edge import on_own_edge
+from c2s_engine.interpret.what.sense import resolve_across_clauses
+from c2s_engine.interpret.what.stated_limits import stated_limits
+from c2s_engine.interpret.where.edge_cyclists import place_edge_cyclists
 from c2s_engine.interpret.where.relations import Places
 from c2s_engine.interpret.where.struck import came_out_into, merged_into
 from c2s_engine.interpret.who.mentions import Cast
@@ -48,14 +48,14 @@ def understand(text: str) -> Scene:
     words = syntax.parse(text, plain, sentences, dates.besides(plain, spans))
     cast = Cast(words)
     clauses = Clauses(words, cast)
-    by_who_did_not_notice(cast, clauses)
+    reassign_unnoticed_collisions(cast, clauses)
     endings = run_ends(plain, sentences, clauses)
     unnamed_doers(cast, clauses)
     merged_into(clauses)
     came_out_into(clauses)
     came_up_behind(clauses)
     choose_ego(cast, clauses)
-    unsaid(cast, clauses)
+    implicit_roles(cast, clauses)
     claimed(cast, clauses)
     aftermath(cast, clauses)
     against_the_traffic(clauses)
@@ -63,11 +63,11 @@ def understand(text: str) -> Scene:
     indicated(cast, clauses)
     same_side(clauses)
     places = Places(cast, clauses)
-    on_own_edge(clauses, places.of, road)
+    place_edge_cyclists(clauses, places.of, road)
     on_foot(plain, road, clauses)
-    rules_of_sense(cast, clauses, road)
-    left_untold(cast, clauses)
-    limits = limits_told(plain, sentences, quantities, cast, clauses)
+    resolve_across_clauses(cast, clauses, road)
+    fill_omissions(cast, clauses)
+    limits = stated_limits(plain, sentences, quantities, cast, clauses)
     settings = SettingsDetector().detect(plain, sentences)
     light = environment.light(plain, sentences)
     scene = Scene(text, plain, sentences, words, cast, clauses, places, road, settings, light)

@@ -27,7 +27,7 @@ _FOLDER_NAME = re.compile(r"[A-Za-z0-9][\w.-]{0,79}")
 
 
 @dataclass(frozen=True)
-class Told:
+class TextRecord:
     """A text with its id, what matters most to who wrote it, and S where somebody wrote that by hand."""
 
     id: str
@@ -36,7 +36,7 @@ class Told:
     structure: Structure | None = None
 
 
-def read_records(file: Path) -> list[Told]:
+def read_records(file: Path) -> list[TextRecord]:
     """The texts of a YAML list of maps with `id` and `text` (and `structure`: S by component, `O1: {type: car}`);
     raises ReportError naming every entry that is not one."""
     try:
@@ -52,13 +52,13 @@ def read_records(file: Path) -> list[Told]:
     problems = list(_problems(items))
     if problems:
         raise ReportError(f"{file}: {'; '.join(problems[:8])}.")
-    return [_told(item) for item in items]
+    return [_record_from(item) for item in items]
 
 
-def _told(item: dict[str, Any]) -> Told:
+def _record_from(item: dict[str, Any]) -> TextRecord:
     text = str(item["text"]).strip()
     structure = structure_of(item["structure"], text) if item.get("structure") else None
-    return Told(str(item["id"]), text, str(item.get("matters") or "").strip(), structure)
+    return TextRecord(str(item["id"]), text, str(item.get("matters") or "").strip(), structure)
 
 
 def structure_of(components: dict[str, Any], text: str) -> Structure:
@@ -102,7 +102,7 @@ def _problems(items: list[Any]) -> Iterator[str]:
 
 
 async def of_text(
-    engine: Engine, told: Told, *, method: str | None = None, seed: int = 0, drivers: bool = False
+    engine: Engine, told: TextRecord, *, method: str | None = None, seed: int = 0, drivers: bool = False
 ) -> Material:
     """A text that is generated and run now; with other `drivers` in ego's place, too."""
     done: Finished | None = None

@@ -20,7 +20,7 @@ from c2s_engine.require.reacting import TURNS, another_scene, reacts
 from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.crossers import before_whom
+from c2s_engine.structure.crossers import crossed_vehicle
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.requirements import Requirement, Result, Value
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, SettingsSpec, Trigger
@@ -67,10 +67,10 @@ def answers(phase: Phase, structure: Structure) -> bool:
         return False
     if trigger is not None:
         return trigger.of is not None or trigger.kind in ("distance", "ttc", "action")
-    return way and not _told_to_stop(structure)
+    return way and not _stop_is_controlled(structure)
 
 
-def _told_to_stop(structure: Structure) -> bool:
+def _stop_is_controlled(structure: Structure) -> bool:
     """Whether a sign or a light may be why ego stops: not one that stays green for it."""
     lights, control = structure.settings.spec, getattr(structure.place.spec, "control", None)
     assert isinstance(lights, SettingsSpec)
@@ -116,8 +116,8 @@ def unaware(structure: Structure) -> Structure:
     assert isinstance(spec, EgoSpec)
 
     def is_answer(phase: Phase) -> bool:
-        others = {None, spec.react_to} if spec.react_to else {None, *_whom(phase)}
-        return answers(phase, structure) and not others.isdisjoint(_whom(phase))
+        others = {None, spec.react_to} if spec.react_to else {None, *_actors_named(phase)}
+        return answers(phase, structure) and not others.isdisjoint(_actors_named(phase))
 
     first = next((i for i, p in enumerate(spec.phases) if is_answer(p)), len(spec.phases))
     blind = {"action": "keep_lane", "target": None, "gap": None}
@@ -185,7 +185,7 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
         return [a for a, o in scene.objects.items() if any(
             p.action in STRONG and not p.abandoned and p.target in (None, EGO) for p in o.phases)]  # fmt: skip
     answering = (p for p in scene.ego.phases if answers(p, scene.structure))
-    named = scene.ego.react_to or next((t for p in answering for t in _whom(p) if t), None)
+    named = scene.ego.react_to or next((t for p in answering for t in _actors_named(p) if t), None)
     if named is not None and named != EGO:
         if gives_way_by(scene.ego):  # the moment of that is required
             return []
@@ -198,7 +198,7 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
             return []
         elsewhere = bool(doings) and all(p.target not in (None, EGO) for p in doings)  # what it does is about others
         return [named] if spec is not None and not followed and not elsewhere else []
-    before_ego = [a for a in scene.objects if before_whom(scene.structure, a) == EGO]
+    before_ego = [a for a in scene.objects if crossed_vehicle(scene.structure, a) == EGO]
     found = [a for a in before_ego if _threatens(scene.objects[a])]
     turns = TURNS if scene.ego.hard else ()  # whoever gives way brakes gently
     comers = [a for a in before_ego if scene.objects[a].placement.position in APPROACHES]
@@ -218,7 +218,7 @@ def _comes_across(scene: Scene, spec: ObjectSpec) -> bool:
     return left and not any(p.action == "turn_left" for p in spec.phases)
 
 
-def _whom(phase: Phase) -> tuple[str | None, ...]:
+def _actors_named(phase: Phase) -> tuple[str | None, ...]:
     """Whom a phase names; None where nobody."""
     named = tuple(c for c in (phase.target, phase.trigger.of if phase.trigger else None) if c)
     return named or (None,)

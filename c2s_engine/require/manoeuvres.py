@@ -29,14 +29,14 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if phase.action == "overtake" and phase.abandoned:
             yield scene.make("phase", "overtaking_broken_off", actor, f"{path}.abandoned",
                              f"{name}: pulls out to overtake and "
-                             "drops back behind.", other=_whom(scene, actor, phase))  # fmt: skip
+                             "drops back behind.", other=_overtaken_actor(scene, actor, phase))  # fmt: skip
         elif phase.action in COMES_BACK and not (later | left) & set(ELSEWHERE) and _in_lane(scene, actor, phase):
             yield scene.make("phase", "comes_back", actor, f"{path}.back", f"{name}: {phase.action} ends in its own "
                              "lane.", of=of)  # fmt: skip
         if phase.action == "overtake" and phase.gap is not None and not phase.abandoned:
             yield scene.make("phase", "comes_back_at", actor, f"{path}.gap", f"{name}: comes back with "
-                             f"{low(phase.gap):g} m to {scene.named(_whom(scene, actor, phase))}.",
-                             other=_whom(scene, actor, phase), of=of, least=low(phase.gap),
+                             f"{low(phase.gap):g} m to {scene.named(_overtaken_actor(scene, actor, phase))}.",
+                             other=_overtaken_actor(scene, actor, phase), of=of, least=low(phase.gap),
                              most=high(phase.gap))  # fmt: skip
         trigger = phase.trigger
         passes = trigger is not None and trigger.kind == "action" and trigger.action == "overtake" and trigger.of
@@ -56,7 +56,7 @@ def _left(scene: Scene, actor: str, i: int) -> set[str]:
     return before - {"overtake", "swerve"}
 
 
-def _whom(scene: Scene, actor: str, phase: Phase) -> str:
+def _overtaken_actor(scene: Scene, actor: str, phase: Phase) -> str:
     return phase.target or (EGO if actor != EGO else next(iter(scene.objects), EGO))
 
 
@@ -64,7 +64,7 @@ def _in_lane(scene: Scene, actor: str, phase: Phase) -> bool:
     """Whether somebody leaves its own lane for it: who passes in the next one stays there."""
     if phase.action == "swerve" or scene.place.kind in ("intersection", "roundabout", "on_ramp", "off_ramp"):
         return phase.action == "swerve"
-    whom = scene.objects.get(_whom(scene, actor, phase))
+    whom = scene.objects.get(_overtaken_actor(scene, actor, phase))
     own = scene.objects.get(actor)
     both = [o for o in (own, whom) if o is not None]
     if not both:

@@ -167,7 +167,7 @@ def steady(requirement: Requirement, evidence: Evidence) -> Result:
         if not motion.moves:
             continue
         settled, gain = motion.time >= bounds()["natural"]["settles"]["value"], motion.acceleration
-        gone = gone_from(motion, evidence)
+        gone = passed_ego_since(motion, evidence)
         for first, last in [*stretches((gain > 0.3) & settled), *stretches((gain < -0.3) & settled)]:
             if motion.kind in ("pedestrian", "animal") and motion.smooth[max(first - 1, 0)] < STANDING:
                 continue  # on foot one sets out at once
@@ -178,7 +178,7 @@ def steady(requirement: Requirement, evidence: Evidence) -> Result:
     return scored(requirement, (limit - worst) / limit, said, f"{worst:.1f} m/s", when)
 
 
-def gone_from(motion: Motion, evidence: Evidence) -> float:
+def passed_ego_since(motion: Motion, evidence: Evidence) -> float:
     """From when one that came towards ego has left it behind for good, s: what becomes of it then is of no account."""
     ego = evidence.motion(EGO)
     if ego is None or ego is motion:

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from c2s_engine.require.evidence import STANDING, Evidence, Motion, stretches
-from c2s_engine.require.natural import gone_from, in_its_way
+from c2s_engine.require.natural import in_its_way, passed_ego_since
 from c2s_engine.require.results import decided, scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO
@@ -103,7 +103,7 @@ def stands_for(requirement: Requirement, evidence: Evidence) -> Result:
     if not motions:
         return unknown(requirement, "no stand without a reason", "not reached: it is not there")
     for motion in motions:
-        front, gone = motion.of_course("along") + motion.size[0] / 2, gone_from(motion, evidence)
+        front, gone = motion.of_course("along") + motion.size[0] / 2, passed_ego_since(motion, evidence)
         for first, last in _stands(motion):
             if motion.time[first] >= gone:
                 continue

@@ -17,7 +17,7 @@ from rich.text import Text
 from c2s_engine.config import ConfigError, load_settings
 from c2s_engine.retrieve.client import Decompose, Describe, RetrievalClient
 from c2s_engine.retrieve.errors import RetrievalError
-from c2s_engine.retrieve.provenance import whose
+from c2s_engine.retrieve.provenance import attribution
 from c2s_engine.structure.progress import Passage
 
 NOTHING, FAILED = 1, 2  # exit codes: no answer (or findings), an error
@@ -79,7 +79,7 @@ def search_command(
     with _bar(as_json) as progress:
         found = _run(lambda c: c.search(query, kind, component, limit, abstain=not all_, progress=progress), as_json)
     if as_json:
-        data = [{**p.model_dump(mode="json", exclude={"type"}), "whose": whose(p)} for p in found]
+        data = [{**p.model_dump(mode="json", exclude={"type"}), "whose": attribution(p)} for p in found]
         typer.echo(json.dumps(data, indent=1))
     elif not found:
         Console().print(Text("Nothing in the index answers this (--all shows the nearest)."))
@@ -91,7 +91,7 @@ def search_command(
 
 def _panel(number: int, passage: Passage) -> Panel:
     ranks = ", ".join(f"{name} {rank}" for name, rank in passage.ranks.items())
-    where = [passage.clause, whose(passage), f"page {passage.page}" if passage.page else "", passage.source]
+    where = [passage.clause, attribution(passage), f"page {passage.page}" if passage.page else "", passage.source]
     foot = " · ".join(w for w in (*where, f"{passage.score:.2f}", ranks) if w)
     body = (
         Syntax(passage.text, "scenic", background_color="default") if passage.kind == "snippet" else Text(passage.text)

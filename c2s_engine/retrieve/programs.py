@@ -3,7 +3,7 @@
 from collections.abc import Awaitable, Callable
 from typing import Any
 
-from c2s_engine.retrieve.terms import told_of
+from c2s_engine.retrieve.terms import imported_terms
 from c2s_engine.structure.components import Component, Structure
 
 
@@ -22,7 +22,7 @@ async def component_snippets(
         sentence = await describe(component.kind, component.code) if describe else ""
         sentence = sentence.strip() or component.description.strip() or words_of(component)
         code = component.code.strip("\n") + "\n"
-        terms = told_of(structure, component.id)
+        terms = imported_terms(structure, component.id)
         found.append({"component": component.kind, "description": sentence, "code": code, **terms})
     return found
 

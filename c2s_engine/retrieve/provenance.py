@@ -15,6 +15,6 @@ def shipped() -> frozenset[str]:
     return frozenset(f.read_text("utf-8").split("\n", 1)[0].removeprefix("# ").strip() for f in files)
 
 
-def whose(passage: Passage) -> str:
+def attribution(passage: Passage) -> str:
     """What to say beside a clause; empty where the text is the source's own, or has no clause."""
     return NOTES if passage.kind == "doc" and passage.clause and passage.source in shipped() else ""

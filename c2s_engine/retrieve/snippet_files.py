@@ -43,16 +43,16 @@ class Snippet(BaseModel):
     def terms(self) -> tuple[str, ...]:
         """The words of the specs' vocabulary that it is about; details of a place with their field."""
         details = {"manoeuvre": self.manoeuvres, "control": self.controls, "ego_lane": self.ego_lanes}
-        return (*self._told, *(f"{field}={word}" for field, words in details.items() for word in words))
+        return (*self._search_terms, *(f"{field}={word}" for field, words in details.items() for word in words))
 
     @property
-    def _told(self) -> tuple[str, ...]:
+    def _search_terms(self) -> tuple[str, ...]:
         return (*self.actions, *self.reactions, *self.places, *self.positions, *self.types, *self.conditions)
 
     @property
     def keywords(self) -> str:
         """These as a phrase, without the details of places: "cut in, left lane, car"."""
-        return ", ".join(t.replace("_", " ") for t in self._told)
+        return ", ".join(t.replace("_", " ") for t in self._search_terms)
 
     @property
     def phrases(self) -> tuple[str, ...]:

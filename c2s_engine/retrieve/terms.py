@@ -31,12 +31,12 @@ def terms_of(structure: Structure, cid: ComponentId) -> tuple[str, ...]:
         kinds = [c.kind for c in (*spec.require, *spec.terminate_when)]
         return tuple(dict.fromkeys([*kinds, *(["time"] if spec.duration else [])]))
     if isinstance(spec, ObjectSpec):
-        actions = [p.action for p in spec.phases] or _unsaid(spec)
+        actions = [p.action for p in spec.phases] or _implicit_actions(spec)
         return tuple(dict.fromkeys((spec.type, spec.placement.position, *actions)))
     return _of_ego(spec, structure.place.spec) if isinstance(spec, EgoSpec) else ()
 
 
-def told_of(structure: Structure, cid: ComponentId) -> dict[str, tuple[str, ...]]:
+def imported_terms(structure: Structure, cid: ComponentId) -> dict[str, tuple[str, ...]]:
     """Those of them that the spec of an imported component was read to say, as a snippet's head has them by field."""
     spec = structure[cid].spec
     said = {*leaves(spec.model_dump(exclude_defaults=True, exclude={"component"})), getattr(spec, "type", "")}
@@ -63,7 +63,7 @@ def _section(word: str, kind: str) -> str:
 
 
 
-def _unsaid(spec: ObjectSpec) -> list[str]:
+def _implicit_actions(spec: ObjectSpec) -> list[str]:
     """What an object does of which no phase tells."""
     position = spec.placement.position
     stands = spec.speed == 0 or position in _STANDING and spec.speed is None

@@ -5,16 +5,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from c2s_engine.session.as_run import BRAKES as BEGINS
 from c2s_engine.session.decided import decided, hedged, shown_of
 from c2s_engine.session.glossary import meaning
 from c2s_engine.session.question import Question, read
 from c2s_engine.session.why import explained
+from c2s_engine.session.with_measured_values import BRAKES as BEGINS
 from c2s_engine.session.yes_no import yes_or_no
 from c2s_engine.structure.account import STATUS_WORDS, Clause, account, requirements_met
 from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.event_words import USUAL, ended, event_phrase
 from c2s_engine.structure.facts import EGO, EventFact, ObjectFacts, RunFacts
-from c2s_engine.structure.happening import USUAL, ended, told
 from c2s_engine.structure.measures import ActorMeasures, Collision, Measures, PairMeasures, collisions
 from c2s_engine.structure.progress import Finished
 from c2s_engine.structure.requirements import failures
@@ -87,7 +87,7 @@ def answered(question: str, shown: Finished | None) -> str:
         answers = {q.strip(" ?"): answered(q, shown) for q in each}
         lines = [words or f"“{q}”: {UNANSWERED}" for q, words in answers.items()]
         return "\n".join(lines) if any(answers.values()) else ""
-    about = _Asked(question, shown)
+    about = _QuestionContext(question, shown)
     if _ASKS_MEANING.match(question.strip()) and (entry := meaning(question)):
         measured = _in_the_run(about) if shown.facts and re.search(_NEAR, question, re.I) else ""
         return f"{entry}\n{measured}".strip()
@@ -96,7 +96,7 @@ def answered(question: str, shown: Finished | None) -> str:
     if shown.facts and (said := decided(about.asks, about.facts)):
         return said
     for pattern, answer in TOPICS:
-        if re.search(pattern, question, re.I) and not (answer == _met and about.asks.fact):
+        if re.search(pattern, question, re.I) and not (answer == _requirements and about.asks.fact):
             if (answer in NEEDS_RUN or answer == _braked and not about.why) and not shown.facts:
                 return "The program has not been run, so nothing is known of that: F5 (or `c2s run`) runs it."
             if said := answer(about):
@@ -109,7 +109,7 @@ def answered(question: str, shown: Finished | None) -> str:
 
 
 @dataclass(frozen=True)
-class _Asked:
+class _QuestionContext:
     """A question, and the scene that it is about."""
 
     text: str
@@ -178,7 +178,7 @@ def _cid(thing: ObjectFacts) -> str | None:
     return "E" if thing.name == EGO else thing.component
 
 
-def _collided(asked: _Asked) -> str:
+def _collided(asked: _QuestionContext) -> str:
     found = collisions(asked.facts, asked.shown.requirements, bool(asked.structure.text))
     if asked.why and (said := _why_collided(asked, found)):
         return said
@@ -192,7 +192,7 @@ def _collided(asked: _Asked) -> str:
     return ". ".join(f"{str(c)[0].upper()}{str(c)[1:]}" for c in found) + "."
 
 
-def _in_the_run(asked: _Asked) -> str:
+def _in_the_run(asked: _QuestionContext) -> str:
     """What the run showed of a measure whose meaning is asked for."""
     if not re.search(r"\bpet\b|\bencroachment\b", asked.text, re.I):
         return _near(asked)
@@ -200,7 +200,7 @@ def _in_the_run(asked: _Asked) -> str:
     return " ".join(map(_pair, crossed)) or "There is none in the run: no ways that cross."
 
 
-def _why_collided(asked: _Asked, found: Sequence[Collision]) -> str:
+def _why_collided(asked: _QuestionContext, found: Sequence[Collision]) -> str:
     """Of a collision of ego: what ego could see, and what the two did before, as the run has it."""
     named = {o.name for o in asked.meant} - {EGO}
     hit = next((c for c in found if EGO in (c.one, c.other) and (not named or named & {c.one, c.other})), None)
@@ -225,7 +225,7 @@ def _why_collided(asked: _Asked, found: Sequence[Collision]) -> str:
     return " ".join(lines)
 
 
-def _near(asked: _Asked) -> str:
+def _near(asked: _QuestionContext) -> str:
     if re.search(r"\b(?:start|begin)\w*\b|\bat first\b", asked.text, re.I) and (said := _apart_at_start(asked)):
         return said
     if asked.two_others and not _pairs(asked):
@@ -234,12 +234,12 @@ def _near(asked: _Asked) -> str:
     return " ".join([*(_pair(p) for p in _pairs(asked)[:4]), *([stops] if stops else [])])
 
 
-def _apart_at_start(asked: _Asked) -> str:
+def _apart_at_start(asked: _QuestionContext) -> str:
     others = [o for o in (asked.meant or asked.facts.objects) if o.name != EGO and EGO in o.starts]
     return " ".join(f"{o.name} starts {o.starts[EGO].gap:.1f} m from ego, bumper to bumper." for o in others)
 
 
-def _pairs(asked: _Asked) -> list[PairMeasures]:
+def _pairs(asked: _QuestionContext) -> list[PairMeasures]:
     """Ego with those that are asked about (else with all others, whether they move or not), the nearest first; of two
     others that are named with no word of ego, these two."""
     named = {o.name for o in asked.meant}
@@ -261,7 +261,7 @@ def _pair(pair: PairMeasures) -> str:
     return "; ".join(parts) + "."
 
 
-def _braked(asked: _Asked) -> str:
+def _braked(asked: _QuestionContext) -> str:
     if asked.why:
         return _why_braked(asked)
     said = []
@@ -277,7 +277,7 @@ def _braked(asked: _Asked) -> str:
     return " ".join(said)
 
 
-def _why_braked(asked: _Asked) -> str:
+def _why_braked(asked: _QuestionContext) -> str:
     ego, spec = asked.structure.ego, asked.structure.ego.spec
     if not asked.names(ego) or not isinstance(spec, EgoSpec):
         return ""
@@ -302,7 +302,7 @@ def _why_braked(asked: _Asked) -> str:
     return f"{text[0].upper()}{text[1:]}." if text else ""
 
 
-def _why_not(asked: _Asked) -> str:
+def _why_not(asked: _QuestionContext) -> str:
     """What S requires of what the question names and the run did not show, with what came instead; empty where all that
     was shown, or is not required."""
     components = [c for c in asked.structure.components if c.kind in "EO"]
@@ -323,7 +323,7 @@ def _why_not(asked: _Asked) -> str:
     return "\n".join(lines)
 
 
-def _in_its_place(asked: _Asked, cid: str) -> str:
+def _in_its_place(asked: _QuestionContext, cid: str) -> str:
     """What somebody does in the run, first to last."""
     found = [(e.time, o.name, e) for o in asked.facts.objects if _cid(o) == cid for e in o.events
              if e.event not in USUAL and e.time > 0] if asked.shown.facts else []  # fmt: skip
@@ -332,7 +332,7 @@ def _in_its_place(asked: _Asked, cid: str) -> str:
     return f"In the run {said}. {_lasted(asked)}" if said else ""
 
 
-def _fast(asked: _Asked) -> str:
+def _fast(asked: _QuestionContext) -> str:
     said = []
     for actor in asked.actors:
         if motion := asked.motion(actor.name):
@@ -342,7 +342,7 @@ def _fast(asked: _Asked) -> str:
     return " ".join(said)
 
 
-def _stopped(asked: _Asked) -> str:
+def _stopped(asked: _QuestionContext) -> str:
     said = []
     for actor in asked.actors:
         motion = asked.motion(actor.name)
@@ -354,7 +354,7 @@ def _stopped(asked: _Asked) -> str:
     return " ".join(said)
 
 
-def _when(asked: _Asked) -> str:
+def _when(asked: _QuestionContext) -> str:
     """When what the question names happened."""
     found = shown_of(asked.asks, asked.facts) if asked.asks.fact else []
     if not found:
@@ -363,36 +363,36 @@ def _when(asked: _Asked) -> str:
     return f"{said} {_fast(asked)}".strip() if re.search(_FAST, asked.text, re.I) else said
 
 
-def _lasted(asked: _Asked) -> str:
+def _lasted(asked: _QuestionContext) -> str:
     return f"The run ended after {asked.facts.duration:.1f} s: {ended(asked.facts)}."
 
 
-def _hidden(asked: _Asked) -> str:
+def _hidden(asked: _QuestionContext) -> str:
     """Behind whom those who are asked about (else all others that move) are hidden from ego at the start."""
     others = [o for o in asked.actors if o.name != EGO]
     return " ".join(f"{o.name} is hidden from ego at the start, behind {', '.join(o.hidden_behind)}."
                     if o.hidden_behind else f"{o.name} is in ego's sight from the start." for o in others)  # fmt: skip
 
 
-def _happened(asked: _Asked) -> str:
+def _happened(asked: _QuestionContext) -> str:
     found = [(e.time, o.name, e) for o in asked.actors for e in o.events if e.event not in USUAL and e.time > 0]
     found.sort(key=lambda f: f[0])
-    events = "; ".join(f"{time:.1f} s {name} {told(e)}" for time, name, e in found[:16])
+    events = "; ".join(f"{time:.1f} s {name} {event_phrase(e)}" for time, name, e in found[:16])
     end = _lasted(asked)
     return f"{events}. {end}" if events else f"There were no events. {end}"
 
 
 def _event(event: EventFact) -> str:
-    return f"{told(event)} at {event.time:.1f} s"
+    return f"{event_phrase(event)} at {event.time:.1f} s"
 
 
-def _met(asked: _Asked) -> str:
+def _requirements(asked: _QuestionContext) -> str:
     met = requirements_met(asked.structure, asked.shown.results, asked.shown.details.get("without_effect", ()))
     missed = failures(asked.shown.requirements, asked.shown.results) if met else ()
     return "\n".join([f"{met}.", *missed[:8]]) if met else ""
 
 
-def _accounted(asked: _Asked) -> str:
+def _accounted(asked: _QuestionContext) -> str:
     """What became of the text, clause by clause, where that is not simply a part of S."""
     clauses = account(asked.structure, asked.shown.details.get("without_effect", ()))
     if not clauses:
@@ -403,13 +403,13 @@ def _accounted(asked: _Asked) -> str:
     return "\n".join([f"{whole} of {len(clauses)} clauses of the text are in S as understood.", *lines])
 
 
-def _unused(asked: _Asked) -> str:
+def _unused(asked: _QuestionContext) -> str:
     """The words, of the text and of changes, that made no difference, and those that are not in S, with the reasons."""
     from c2s_engine.session import no_effect  # not when a session is opened
 
     idle = asked.shown.details.get("without_effect", ())
     lost = [u for c in account(asked.structure) for u in c.lost]
-    lines = [no_effect.told(idle)] if idle else []
+    lines = [no_effect.phrases_sentence(idle)] if idle else []
     lines += [f"“{u.text}”: {u.reason}." for u in dict.fromkeys(lost)]
     return "\n".join(lines) or "All words are used, as far as I can tell."
 
@@ -424,39 +424,39 @@ def _lost(clause: Clause) -> str:
     return "; ".join(f"{', '.join(names)}: {why}" if names else why for why, names in reasons.items())
 
 
-def _assumed(asked: _Asked) -> str:
+def _assumed(asked: _QuestionContext) -> str:
     """What the text left open, with what was chosen and why."""
     notes = [f"{c.id}: {a.called} {a.value} ({a.reason})" for c in asked.structure.components for a in c.assumed
              if c.kind not in "EO" or asked.names(c) or not asked.named]  # fmt: skip
     return "\n".join(notes) or "Nothing was assumed."
 
 
-def _of_s(asked: _Asked) -> str:
+def _of_s(asked: _QuestionContext) -> str:
     of_the_run = asked.asks.fact or asked.asks.measure
     return "" if of_the_run else yes_or_no(asked.text, asked.structure)
 
 
-def _where(asked: _Asked) -> str:
+def _where(asked: _QuestionContext) -> str:
     """The place, and where those that are named start."""
     named = " ".join(f"{c.id}: {c.description}" for c in asked.structure.objects if asked.names(c))
     on = asked.shown.details.get("map")
     return named or f"R: {asked.structure.place.description}" + (f" The map: {on}." if on else "")
 
 
-def _lanes(asked: _Asked) -> str:
+def _lanes(asked: _QuestionContext) -> str:
     lanes = getattr(asked.structure.place.spec, "lanes", None)
     said = f"S says {lanes} in ego's direction" if lanes else "S leaves the number of lanes open"
     seen = f"; in the run: {asked.facts.road.lanes_same_direction}" if asked.shown.facts else ""
     return f"{said}{seen}."
 
 
-def _there(asked: _Asked) -> str:
+def _there(asked: _QuestionContext) -> str:
     named = [c for c in asked.structure.components if c.kind in "EO" and asked.names(c)]
     chosen = named or [c for c in asked.structure.components if c.kind in "EO"]
     return " ".join(f"{c.id}: {c.description}" for c in chosen if c.description)
 
 
-TOPICS: tuple[tuple[str, Callable[[_Asked], str]], ...] = (
+TOPICS: tuple[tuple[str, Callable[[_QuestionContext], str]], ...] = (
     (_UNUSED, _unused),
     (_UNDERSTOOD, _accounted),
     (r"\b(?:assum\w+|guess\w*|left open|defaults?)\b", _assumed),
@@ -469,7 +469,7 @@ TOPICS: tuple[tuple[str, Callable[[_Asked], str]], ...] = (
     (r"\b(?:brak\w+|decelerat\w+|slow(?:s|ed|ing)? down)\b", _braked),
     (_STOPPED, _stopped),
     (_FAST, _fast),
-    (r"\b(?:requirements?|met|work\w*|pass(?:ed)?|fail\w*|as (?:said|described|intended)|successful)\b", _met),
+    (r"\b(?:requirements?|met|work\w*|pass(?:ed)?|fail\w*|as (?:said|described|intended)|successful)\b", _requirements),
     (r"^(?:and |but |so )?where\b", _where),
     (r"", _of_s),
     (r"^(?:when|what happen\w*|what (?:did|does|do)|what is going on|does|did|tell me what)\b", _happened),

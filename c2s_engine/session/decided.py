@@ -4,8 +4,8 @@ figures."""
 from collections.abc import Sequence
 
 from c2s_engine.session.question import Party, Question, of_ego_alone, takes_another
+from c2s_engine.structure.event_words import event_phrase
 from c2s_engine.structure.facts import EGO, EventFact, ObjectFacts, RunFacts
-from c2s_engine.structure.happening import told
 
 CONTACT = "hits"
 
@@ -23,7 +23,7 @@ def decided(asks: Question, facts: RunFacts) -> str:
         return _denied(asks, doers)
     if asks.aside:
         return ""
-    said = "; ".join(f"{o.name} {told(e)} at {e.time:.1f} s" for o, e in found[:6])
+    said = "; ".join(f"{o.name} {event_phrase(e)} at {e.time:.1f} s" for o, e in found[:6])
     if asks.moment_fact is not None:
         return _in_order(asks, found, said, facts)
     if asks.moment or asks.object and not takes_another() & set(asks.fact.events):
@@ -80,7 +80,7 @@ def _in_order(asks: Question, found: Sequence[tuple[ObjectFacts, EventFact]], sa
                    key=lambda f: f[1].time)  # fmt: skip
     if not other:
         return f"The run does not show that {asks.moment_fact.verb}; {said}."
-    then = f"{other[0][0].name} {told(other[0][1])} at {other[0][1].time:.1f} s"
+    then = f"{other[0][0].name} {event_phrase(other[0][1])} at {other[0][1].time:.1f} s"
     first, at = found[0][1].time, other[0][1].time
     if asks.moment not in ("before", "after"):
         return f"{said}; {then}."

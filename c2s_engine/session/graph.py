@@ -10,7 +10,6 @@ from pydantic import TypeAdapter
 
 from c2s_engine.session import in_place, steps, unwritten
 from c2s_engine.session.citing import resting_on, uncited
-from c2s_engine.session.following import following
 from c2s_engine.session.improving import can_improve, improved, summed
 from c2s_engine.session.methods import Method, method_named
 from c2s_engine.session.places import demanded
@@ -18,12 +17,13 @@ from c2s_engine.session.read_back import read_back
 from c2s_engine.session.requiring import check_and_judge
 from c2s_engine.session.solving import can_solve, solved
 from c2s_engine.session.steps import Tools
+from c2s_engine.session.with_consequences import with_consequences
 from c2s_engine.solve.defaults import with_usual_reaction
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.edits import Edit, Replace, SetCode, SetProgram, placed_in_order
 from c2s_engine.structure.progress import Say, StructureChanged
-from c2s_engine.structure.sentences import retold
+from c2s_engine.structure.sentences import with_updated_sentences
 from c2s_engine.write import by_hand
 
 EDITS: TypeAdapter[list[Edit]] = TypeAdapter(list[Edit])
@@ -105,7 +105,7 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
             read = structure if isinstance(edit, Replace) else read  # what edits by hand are read upon
         structure = by_hand.with_names(structure, read)
         if edits and not any(isinstance(e, Replace | SetProgram | SetCode) for e in edits):
-            structure, said = following(before, structure)
+            structure, said = with_consequences(before, structure)
             for text in said:
                 emit(Say(text=text))
         method = method_of(state)
@@ -127,7 +127,7 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         elif edits:
             structure = await read_back(read, structure, found.writer, tools.check, emit)
             structure, changed = await in_place.followed(read, structure, found.writer, tools.check, emit)
-        structure = retold(before, structure)
+        structure = with_updated_sentences(before, structure)
         emit(StructureChanged(structure=structure))
         update: State = {
             "before": before.model_dump(mode="json"),
@@ -153,7 +153,7 @@ def build_graph(tools: Tools, checkpointer: Any = None) -> Any:
         changed = state.get("in_place", [])
         structure, program, written, result = await method.write(
             structure_of(state),
-            in_place.told_of(changed, emit),
+            in_place.marking_rewritten(changed, emit),
             map_name=state["map_name"],
             room=state["room"],
             folder=state["folder"],

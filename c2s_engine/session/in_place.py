@@ -94,7 +94,7 @@ def _merged(before: Structure, after: Structure, cid: ComponentId, writer: Typed
     return None
 
 
-def told_of(changed: Sequence[ComponentId], emit: Emit) -> Emit:
+def marking_rewritten(changed: Sequence[ComponentId], emit: Emit) -> Emit:
     """Events of the writing, in which that code counts as rewritten too."""
 
     def on_event(event: Progress) -> None:

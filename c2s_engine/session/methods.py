@@ -7,10 +7,10 @@ from typing import Any, Protocol
 
 from c2s_engine.check.protocol import PlacesRequest
 from c2s_engine.maps.library import SHIPPED
-from c2s_engine.session.agreeing import agreeing
 from c2s_engine.session.places import map_choice
 from c2s_engine.session.reader import Unreadable, read, read_learned
 from c2s_engine.session.steps import Emit, Tools, timed, write
+from c2s_engine.session.without_contradictions import without_contradictions
 from c2s_engine.solve.defaults import with_usual_reaction
 from c2s_engine.structure.components import ComponentId, Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
@@ -62,7 +62,7 @@ class EmbeddedMethod:
             return None, [], {}, result
         finally:
             warming.add_done_callback(lambda task: task.cancelled() or task.exception())
-        found = agreeing(found)
+        found = without_contradictions(found)
         result = timed("interpret", started)
         emit(StageDone(result=result))
         if found.not_understood:

@@ -81,12 +81,12 @@ async def _without(text: str, parts: Sequence[tuple[Span, str]], structure: Stru
             same = _same(_meant(await asyncio.shield(read(rest, tools))), meant)
         except Unreadable:
             continue
-        if same and not _became(structure, (start, end)):
+        if same and not _is_mostly_in_fields(structure, (start, end)):
             found.append((start, end))
     return found
 
 
-async def changes_nothing(text: str, upon: Structure, tools: Tools) -> tuple[Unmet, ...]:
+async def edit_phrases_without_effect(text: str, upon: Structure, tools: Tools) -> tuple[Unmet, ...]:
     """The phrases of a change upon S without which it would be the same change, in the order of the text; of another
     description, those without which its S would be the same. Raises Unreadable."""
     asked = await route(text, upon, tools)
@@ -111,7 +111,7 @@ def _changed(structure: Structure, edits: Sequence[Edit]) -> Structure:
     return structure
 
 
-def told(found: Sequence[Unmet], of: str = "") -> str:
+def phrases_sentence(found: Sequence[Unmet], of: str = "") -> str:
     """These phrases in a sentence, with the beginning of the text that they are of."""
     said = " ".join(of.split())
     short = said if len(said) <= SHOWN else f"{said[:SHOWN].rsplit(' ', 1)[0]} ..."
@@ -122,7 +122,7 @@ def told(found: Sequence[Unmet], of: str = "") -> str:
     return whose + " ".join(f"{head}: {'; '.join(words)}." for head, words in by_reason.items())
 
 
-def _became(structure: Structure, phrase: tuple[int, int]) -> bool:
+def _is_mostly_in_fields(structure: Structure, phrase: tuple[int, int]) -> bool:
     """Whether S says what most words of a phrase say: other words, or what is usual, say it, too."""
     links = [(c.spec, li) for c in structure.components for li in c.links if li.span and li.field]
     fields = [li.span for spec, li in links if li.span and is_set(spec, li.field)]

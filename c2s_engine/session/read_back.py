@@ -12,7 +12,7 @@ from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Say
 from c2s_engine.structure.quantity import ends, in_words
 from c2s_engine.structure.regenerate import key_of
-from c2s_engine.structure.sentences import retold, with_sentence
+from c2s_engine.structure.sentences import with_sentence, with_updated_sentences
 from c2s_engine.write import by_hand
 from c2s_engine.write.in_place import Change, at, changes, data, put, same
 from c2s_engine.write.inverted import as_constant, as_field
@@ -90,7 +90,7 @@ def _not_assumed(fields: Structure, cid: ComponentId, said: set[str]) -> Structu
 def _rendered(before: Structure, fields: Structure, cid: ComponentId, writer: TypedWriter) -> Structure:
     """S whose code of a component, in which but numbers were changed, is what the writer writes for its fields."""
     ours = fields[cid].model_copy(update={"origin": "rendered", "conflict": None})
-    after = retold(before, fields.with_component(ours))
+    after = with_updated_sentences(before, fields.with_component(ours))
     key = key_of(after, cid, writer) if after[cid].description == ours.description else ""  # to be written anew
     return after.with_component(after[cid].model_copy(update={"key": key}))
 

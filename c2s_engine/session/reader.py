@@ -143,7 +143,7 @@ def _answer(name: str, arguments: tuple[Any, ...]) -> Any:
             raise Unreadable(str(error)) from None
     text, structure, last = arguments
     try:
-        asked = turn.route(text, structure, turn.Last(*last) if last else None)
+        asked = turn.route(text, structure, turn.PreviousTurn(*last) if last else None)
     except InterpreterFault as fault:
         return Asked("edit", reply=str(fault))
     return Asked(asked.kind, tuple(asked.edits), asked.reply, asked.corrects)

@@ -5,7 +5,7 @@ from typing import Any
 
 from c2s_engine.session.facade import Checking
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.happening import ended
+from c2s_engine.structure.event_words import ended
 from c2s_engine.structure.measures import SeedResult, collisions
 from c2s_engine.structure.program import Program
 from c2s_engine.structure.requirements import failures, tally

@@ -174,7 +174,7 @@ def _in_line(structure: Structure, why: str) -> Structure | None:
         place = spec.placement
         position = "behind" if place.along == "behind" else "ahead"
         placement = Placement(position=position, gap=place.gap)
-        was = _told(place.position)
+        was = _value_text(place.position)
         update = {
             "spec": spec.model_copy(update={"placement": placement}),
             "unmet": (*component.unmet, Unmet(text=f"{spec.name}: {was}", reason=why)),
@@ -194,9 +194,9 @@ def _without(structure: Structure, fields: tuple[str, ...], why: str) -> Structu
 
 
 def _instead(field: str, value: str, was: object, why: str) -> Assumption:
-    said = "" if was is None else _told(was)
+    said = "" if was is None else _value_text(was)
     return Assumption(field=field, value=value, reason=f"it was {said or 'left open'}: {why}", was=said)
 
 
-def _told(value: object) -> str:
+def _value_text(value: object) -> str:
     return str(value).lower().replace("_", " ") if isinstance(value, str | bool) else str(value)

@@ -6,8 +6,7 @@ from contextlib import aclosing
 from typing import Any
 
 from c2s_engine.config import METHOD, WITHOUT_MODEL
-from c2s_engine.retrieve.provenance import whose
-from c2s_engine.session.as_run import as_run
+from c2s_engine.retrieve.provenance import attribution
 from c2s_engine.session.asked import HELP, answered, wants_help
 from c2s_engine.session.citing import description_of, kept, tells_scenario, wanted
 from c2s_engine.session.facade import Facade
@@ -16,6 +15,7 @@ from c2s_engine.session.reader import route
 from c2s_engine.session.steps import Emit
 from c2s_engine.session.streams import Result, streamed
 from c2s_engine.session.why import explained
+from c2s_engine.session.with_measured_values import with_measured_values
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import RemoveObject
 from c2s_engine.structure.program import assemble
@@ -179,7 +179,8 @@ async def _routed(
 ) -> Any:
     """How the turn is taken: by the model where the method has one, else by the embedded routing."""
     facts = next(iter(shown.facts), None) if shown is not None and shown.structure == structure else None
-    plain = await route(text, as_run(structure, facts) if structure is not None else None, engine.tools, last)
+    measured = with_measured_values(structure, facts) if structure is not None else None
+    plain = await route(text, measured, engine.tools, last)
     if structure is None or plain.corrects or not uses_model(engine, method):
         return plain
     from c2s_engine.interpret import EmbeddedInterpreter
@@ -269,7 +270,8 @@ async def answer(
         return
     for passage in found:
         yield passage
-    sources = "; ".join(f"{i} {label(p)}{f' [{whose(p)}]' if whose(p) else ''}" for i, p in enumerate(found, 1))
+    owners = (f" [{attribution(p)}]" if attribution(p) else "" for p in found)
+    sources = "; ".join(f"{i} {label(p)}{owner}" for i, (p, owner) in enumerate(zip(found, owners, strict=True), 1))
     telling = {p.title for p in near if tells_scenario(p)}
     usable = [i for i, p in enumerate(found, 1) if p.title in telling]
     hint = f" “use {usable[0]}” takes its scenario as the description." if usable else ""

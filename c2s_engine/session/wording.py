@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from difflib import SequenceMatcher
 from typing import Any, TypeGuard
 
-from c2s_engine.session.no_effect import changes_nothing
+from c2s_engine.session.no_effect import edit_phrases_without_effect
 from c2s_engine.session.reader import Unreadable, phrases, read, route
 from c2s_engine.structure.components import Component, Structure, Unmet
 from c2s_engine.structure.edits import Edit, EditError, SetDescription, SetField, SetSpec, apply
@@ -81,7 +81,7 @@ async def _meant(before: Structure, after: Structure, cid: str, tools: Any) -> t
         asked = await route(sentence, before, tools)
         changes = [e for e in asked.edits if isinstance(e, SetField | SetSpec) and e.component == cid]
         if changes:
-            spans = [u.span for u in await changes_nothing(sentence, before, tools) if u.span]
+            spans = [u.span for u in await edit_phrases_without_effect(sentence, before, tools) if u.span]
             lost = [sentence[a:b] for a, b in spans if _meets((a, b), _new(before[cid].description, sentence))]
     if not lost and (not changes or becomes.spec != getattr(was, "spec", None)):
         lost = await _without_effect(before[cid].description, reading, becomes, sentences, tools)

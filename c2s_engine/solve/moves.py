@@ -192,7 +192,7 @@ def _for(requirement: Requirement, result: Result, open_: Sequence[Unknown]) -> 
     for row in (*table.get(requirement.check, ()), *table["any"], *measured):
         if row.get("seen") and row["seen"] != _side(result):
             continue
-        whose = _whose(row["of"], requirement)
+        whose = _components_of_part(row["of"], requirement)
         fields = [u for u in open_ if u.component in whose and u.path.rsplit(".", 1)[-1] == row["field"]]
         yield from filter(None, (u.set_to(u.value * row.get("times", 1.0) + row.get("plus", 0.0)) for u in fields))
 
@@ -204,7 +204,7 @@ def _side(result: Result) -> str:
     return "below" if result.value < result.bounds[0] else "above"
 
 
-def _whose(of: str, requirement: Requirement) -> tuple[ComponentId, ...]:
+def _components_of_part(of: str, requirement: Requirement) -> tuple[ComponentId, ...]:
     """Components of a part in a requirement: its actor, the other, ego, the place, the run, all objects."""
     if of == "objects":
         return tuple(f"O{k}" for k in range(1, 100))

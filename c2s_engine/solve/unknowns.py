@@ -9,7 +9,7 @@ from c2s_engine.structure.components import FITTED, Assumption, Component, Compo
 from c2s_engine.structure.edits import EditError, SetField, apply
 from c2s_engine.structure.leaves import value_at
 from c2s_engine.structure.quantity import Quantity, in_words, middle
-from c2s_engine.structure.sentences import retold
+from c2s_engine.structure.sentences import with_updated_sentences
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed.tables import APPROACH_ANGLE
 from c2s_engine.write.typed.usual_values import Usual
@@ -139,7 +139,7 @@ def chosen(structure: Structure, unknown: Unknown, value: Quantity, reason: str 
     note = Assumption(field=field, value=said, reason=reason, by=by, was=was)
     others = tuple(a for a in kept if a.field != field)
     changed = changed.with_component(changed[unknown.component].model_copy(update={"assumed": (*others, note)}))
-    return retold(structure, changed)
+    return with_updated_sentences(structure, changed)
 
 
 def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator[Unknown]:

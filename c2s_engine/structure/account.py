@@ -53,7 +53,7 @@ def account(structure: Structure, idle: Sequence[Unmet] = ()) -> tuple[Clause, .
     return tuple(_clause(structure, span, idle) for span in covering(structure.text, structure.clauses))
 
 
-def not_wholly(structure: Structure, idle: Sequence[Unmet] = ()) -> int:
+def count_lost_clauses(structure: Structure, idle: Sequence[Unmet] = ()) -> int:
     """How many clauses of the text nothing, or not all, of S stands for. Of `idle`, phrases without which S stays the
     same, those count that are clauses: what a single word says S may hold from elsewhere."""
     clauses = account(structure, idle_clauses(structure, idle))
@@ -76,7 +76,7 @@ def requirements_met(structure: Structure, results: Sequence[Result], idle: Sequ
     met, required = tally(results)
     if not required:
         return ""
-    lost = not_wholly(structure, idle)
+    lost = count_lost_clauses(structure, idle)
     are = "clauses of the text are" if lost > 1 else "clause of the text is"
     return f"{met} of {required} requirements met" + (f"; {lost} {are} not wholly in S" if lost else "")
 

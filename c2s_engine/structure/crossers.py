@@ -9,7 +9,7 @@ ANSWERS = ("brake", "stop", "wait", "yield", "swerve", "lane_change", "overtake"
 """What one does for who is in its way."""
 
 
-def before_whom(structure: Structure, cid: str) -> str:
+def crossed_vehicle(structure: Structure, cid: str) -> str:
     """Ego, or the vehicle ahead in its lane that is to touch somebody, or that answers to it where ego does not."""
     spec, ego = structure[cid].spec, structure.ego.spec
     assert isinstance(spec, ObjectSpec) and isinstance(ego, EgoSpec)

@@ -298,7 +298,7 @@ def with_sentence(before: Structure, after: Structure, cid: str) -> Component:
     return told
 
 
-def retold(before: Structure, after: Structure) -> Structure:
+def with_updated_sentences(before: Structure, after: Structure) -> Structure:
     """S after a change, each sentence that said what the spec did saying what it does now: a sentence of the user's
     own stays, and so does that of a component whose code is not written from its spec."""
     for was in (c for c in before.components if c.id in after):

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
-from c2s_engine.structure.happening import ACTS
+from c2s_engine.structure.event_words import ACTS
 
 Text = Callable[[Any, str], str]
 """A value with its unit, as text."""

@@ -8,7 +8,7 @@ from textual.content import Content
 from textual.events import Click
 from textual.widgets import Static
 
-from c2s_engine.retrieve.provenance import whose
+from c2s_engine.retrieve.provenance import attribution
 from c2s_engine.structure.progress import Passage
 from c2s_tui.look.kinds import colour, mark, mentions
 from c2s_tui.messages import CommandAsked, Picked
@@ -106,7 +106,7 @@ class Sources(Static):
         parts: list = []
         for i, passage in enumerate(passages, 1):
             where = f" {passage.clause}" if passage.clause and passage.clause not in passage.title else ""
-            notes = f" ({whose(passage)})" if whose(passage) else ""
+            notes = f" ({attribution(passage)})" if attribution(passage) else ""
             first = " ".join(passage.text.split())
             first = first if len(first) <= 120 else first[:119] + "…"
             parts += [

@@ -5,11 +5,11 @@ from textual.binding import Binding
 from textual.events import Key
 
 from c2s_tui.in_order import OrderedArea
-from c2s_tui.messages import CommandAsked, Said, ScrollAsked
+from c2s_tui.messages import CommandAsked, ScrollAsked, TextSubmitted
 
 
 class Entry(OrderedArea):
-    """Posts `Said`. What is typed survives a cancelled turn, and a crash."""
+    """Posts `TextSubmitted`. What is typed survives a cancelled turn, and a crash."""
 
     HELP_NAME = "chat"
     BINDINGS = [
@@ -58,7 +58,7 @@ class Entry(OrderedArea):
             self.kept = [kept for kept in self.kept if kept not in text]
             self.text = ""
             self._bring_back()
-            self.post_message(Said(text))
+            self.post_message(TextSubmitted(text))
 
     def remember(self, texts: list[str]) -> None:
         """Texts that were sent before those of this run of the app come back with the arrow keys, too."""

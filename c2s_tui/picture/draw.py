@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from textual.content import Content
 
 from c2s_engine.dryrun.picture import Point, bounds, corners, frames
+from c2s_engine.structure.event_words import USUAL, event_phrase
 from c2s_engine.structure.facts import EGO, ContactFact, EventFact, RunFacts, Trajectories
-from c2s_engine.structure.happening import USUAL, told
 from c2s_tui.look.kinds import ascii_only, colour, mark
 
 ROADS = (
@@ -238,7 +238,7 @@ def caption(
     found = [f for f in found if f[2].event not in USUAL] or found
     for when, label, event in _latest(found, time):
         other = labels.get(event.other, event.other) if event.other else None
-        words = told(EventFact(event=event.event, time=when, other=other))
+        words = event_phrase(EventFact(event=event.event, time=when, other=other))
         parts += [(label, f"bold {_style(label)}"), f" {words} ", (f"{when:.1f} s  ", "$muted")]
     if not found:
         parts.append((f"{mark('dash')} no events", "$muted"))

@@ -11,8 +11,8 @@ from textual.containers import Vertical
 from textual.timer import Timer
 from textual.widgets import Static
 
+from c2s_engine.structure.event_words import USUAL
 from c2s_engine.structure.facts import ContactFact, RunFacts, Trajectories
-from c2s_engine.structure.happening import USUAL
 from c2s_tui.app import C2SApp
 from c2s_tui.desk import Desk
 from c2s_tui.look.kinds import ascii_only

@@ -5,8 +5,8 @@ from collections.abc import Mapping, Sequence
 from textual.content import Content
 
 from c2s_engine.structure.account import requirements_met
+from c2s_engine.structure.event_words import USUAL, ended, event_phrase
 from c2s_engine.structure.facts import EGO, ObjectFacts, RunFacts, Trajectories
-from c2s_engine.structure.happening import USUAL, ended, told
 from c2s_engine.structure.measures import Measures, SeedResult
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_tui.desk import Desk
@@ -105,7 +105,7 @@ def timeline(facts: RunFacts, width: int) -> Content:
             cells[min(room - 1, int(event.time / max(facts.duration, 0.1) * (room - 1)))] = dot
         parts += [(f"{thing.name[:12]:<13}", f"bold {style}"), ("".join(cells), style), "\n"]
         for event in _notable(thing):
-            parts += [(f"{event.time:>11.1f} s ", "$muted"), f"{told(event)}\n"]
+            parts += [(f"{event.time:>11.1f} s ", "$muted"), f"{event_phrase(event)}\n"]
     if not shown:
         parts.append(("There were no events.\n", "$muted"))
     return Content.assemble(*parts).rstrip()

@@ -15,7 +15,7 @@ from c2s_engine.structure.values import fields
 from c2s_engine.structure.vocabulary import ObjectType
 from c2s_tui.desk import Desk
 from c2s_tui.in_order import OrderedLine
-from c2s_tui.messages import CommandAsked, EditsAsked, Picked, ReachAsked, Said
+from c2s_tui.messages import CommandAsked, EditsAsked, Picked, ReachAsked, TextSubmitted
 from c2s_tui.sheet.editor import FieldEditor
 from c2s_tui.sheet.row_view import RowView
 from c2s_tui.sheet.rows import ADD, CONFLICT, FIELD, HEAD, SENTENCE, Row, rows
@@ -279,7 +279,7 @@ class SheetPane(VerticalScroll):
             kind: Any = text.lower().replace(" ", "_")
             self.post_message(EditsAsked([AddObject(spec=ObjectSpec(name=kind, type=kind))]))
         elif text:
-            self.post_message(Said(f"Add an object: {text}"))
+            self.post_message(TextSubmitted(f"Add an object: {text}"))
 
     async def on_key(self, event: Key) -> None:
         """Keys one after the other: what follows a key that opens a line to edit is text, however fast it is typed."""

@@ -74,7 +74,7 @@ def test_a_dozen_manoeuvres_each_with_measures_of_its_own():
     known = manoeuvres()
     assert len(known) >= 12
     for manoeuvre in known.values():
-        told = [m.told for m in manoeuvre.measures]
+        told = [m.description for m in manoeuvre.measures]
         assert len(told) == len(set(told)) >= 2, manoeuvre.name
 
 

@@ -1,7 +1,7 @@
 """What a search finds: read in full, with whose words they are, and used in the app."""
 
 from c2s_engine.paths import shipped
-from c2s_engine.retrieve.provenance import NOTES, whose
+from c2s_engine.retrieve.provenance import NOTES, attribution
 from c2s_engine.structure.progress import Passage
 
 R157 = shipped("docs", "un_r157.md").read_text().split("\n", 1)[0].removeprefix("# ")
@@ -14,9 +14,9 @@ CODE = Passage(kind="snippet", title="A car that waits.", component="O", source=
 
 
 def test_notes_of_this_project_are_told_from_a_regulations_own_text():
-    assert whose(CLAUSE) == NOTES
-    assert whose(CLAUSE.model_copy(update={"source": "my own copy.pdf"})) == ""
-    assert whose(CLAUSE.model_copy(update={"clause": ""})) == "" and whose(CODE) == ""
+    assert attribution(CLAUSE) == NOTES
+    assert attribution(CLAUSE.model_copy(update={"source": "my own copy.pdf"})) == ""
+    assert attribution(CLAUSE.model_copy(update={"clause": ""})) == "" and attribution(CODE) == ""
 
 
 async def test_a_result_is_read_in_full_and_says_whose_words_it_is(stage):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from c2s_engine.interpret.turn import Last, route
+from c2s_engine.interpret.turn import PreviousTurn, route
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import apply
 
@@ -16,7 +16,7 @@ def twice(before: Structure, first: str, then: str) -> Structure:
     now = before
     for edit in route(first, before).edits:
         now = apply(now, edit)
-    for edit in route(then, now, Last(first, before)).edits:
+    for edit in route(then, now, PreviousTurn(first, before)).edits:
         now = apply(now, edit)
     return now
 
@@ -59,7 +59,7 @@ def test_no_correction(read, then: str) -> None:
     now = before
     for edit in first.edits:
         now = apply(now, edit)
-    turn = route(then, now, Last("make the white car slower", before))
+    turn = route(then, now, PreviousTurn("make the white car slower", before))
     assert not turn.corrects
     assert turn == route(then, now)
 
@@ -67,6 +67,6 @@ def test_no_correction(read, then: str) -> None:
 def test_which_of_several_is_asked(read) -> None:
     before = read(SCENE)
     now = once(before, "make ego slower")
-    turn = route("no, the other one", now, Last("make ego slower", before))
+    turn = route("no, the other one", now, PreviousTurn("make ego slower", before))
     assert not turn.edits
     assert "O1, O2, O3" in turn.reply

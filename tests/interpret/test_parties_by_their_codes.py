@@ -2,7 +2,7 @@
 
 import pytest
 
-from c2s_engine.interpret.reading.spelling import Mended
+from c2s_engine.interpret.reading.spelling import NormalisedText
 
 
 def _types(s) -> list[str]:
@@ -23,4 +23,4 @@ def _acts(component) -> list[str]:
     ],
 )
 def test_steps_roads_and_known_labels_are_no_codes(text: str) -> None:
-    assert "VOI" not in Mended(text).text
+    assert "VOI" not in NormalisedText(text).text

@@ -5,7 +5,7 @@ from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 from c2s_engine.interpret import EmbeddedInterpreter, InterpreterFault, InterpretError, embedded, turn, typologies
-from c2s_engine.interpret.reading.spelling import Mended
+from c2s_engine.interpret.reading.spelling import NormalisedText
 from c2s_engine.session import reader
 from c2s_engine.session.reader import Unreadable
 from c2s_engine.structure.components import Structure
@@ -78,7 +78,7 @@ def test_many_word_salads_never_defeat_the_interpreter(text: str) -> None:
 @settings(max_examples=60)
 @given(st.lists(WORDS, max_size=40).map(" ".join))
 def test_places_in_the_mended_text_lead_back_in_order(text: str) -> None:
-    mended = Mended(text)
+    mended = NormalisedText(text)
     back = [mended.back(i) for i in range(len(mended.text) + 1)]
     assert all(0 <= i <= len(text) for i in back)
     assert mended.text != text or back == list(range(len(text) + 1))

@@ -5,7 +5,7 @@ import pytest
 
 from c2s_engine.interpret import understanding
 from c2s_engine.interpret.reading import amounts, division, scan
-from c2s_engine.interpret.reading.spelling import Mended
+from c2s_engine.interpret.reading.spelling import NormalisedText
 
 
 def quantity(text: str) -> tuple[str, float, float]:
@@ -40,7 +40,7 @@ def test_sentences_do_not_end_at_abbreviations_and_numbers() -> None:
 
 def test_misspellings_are_mended_and_mapped_back() -> None:
     text = "the vehcile brakes sudenly"
-    mended = Mended(text)
+    mended = NormalisedText(text)
     assert mended.text == "the vehicle brakes suddenly"
     at = mended.text.index("suddenly")
     assert text[mended.back(at) : mended.back(at + len("suddenly"))] == "sudenly"
@@ -48,7 +48,7 @@ def test_misspellings_are_mended_and_mapped_back() -> None:
 
 def test_words_that_are_right_stay_as_they_are() -> None:
     text = "The motorcyclist lost traction near the kerb and the lorry slewed sideways."
-    assert Mended(text).text == text
+    assert NormalisedText(text).text == text
 
 
 def acts(text: str) -> list[tuple[str, str, str, str | None]]:

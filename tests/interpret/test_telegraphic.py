@@ -2,7 +2,7 @@
 
 import pytest
 
-from c2s_engine.interpret.reading.spelling import Mended
+from c2s_engine.interpret.reading.spelling import NormalisedText
 
 
 @pytest.mark.parametrize(
@@ -19,7 +19,7 @@ from c2s_engine.interpret.reading.spelling import Mended
     ],
 )
 def test_notes_become_sentences(note: str, sentences: str) -> None:
-    assert sentences.lower() in Mended(note).text.lower()
+    assert sentences.lower() in NormalisedText(note).text.lower()
 
 
 @pytest.mark.parametrize(
@@ -32,7 +32,7 @@ def test_notes_become_sentences(note: str, sentences: str) -> None:
     ],
 )
 def test_plain_sentences_stay_as_they_are(text: str) -> None:
-    assert Mended(text).text == text
+    assert NormalisedText(text).text == text
 
 
 def objects(read, text: str) -> dict:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from c2s_engine.interpret.reading.spelling import Mended
+from c2s_engine.interpret.reading.spelling import NormalisedText
 
 
 def _types(s) -> list[str]:
@@ -21,4 +21,4 @@ def _acts(component) -> list[str]:
     ],
 )
 def test_only_questions_with_answers_are_read_so(text: str, said: str) -> None:
-    assert said in Mended(text).text
+    assert said in NormalisedText(text).text

@@ -11,7 +11,7 @@ import pytest
 import yaml
 from pydantic import Field
 
-from c2s_engine.interpret.llm import offered, prose, settings, spoken
+from c2s_engine.interpret.llm import offered, prose, rendered_sentences, settings
 from c2s_engine.interpret.llm.components import ObjectSentence, Sentences, excerpt, instructions, sentences_schema
 from c2s_engine.interpret.llm.forms import Form, form_of
 from c2s_engine.interpret.llm.schema import accepts, spec_schema
@@ -244,7 +244,7 @@ def test_what_the_choice_beside_it_does_not_take_is_left_out_of_an_answer_and_sa
         "placement": {"position": "ahead", "gap": 20, "lateral": 1.5},
         "phases": [{"action": "brake", "gap": 5, "part": "front"}, {"action": "collide", "part": "rear"}],
     }
-    assert offered.untaken(answer) == ["lateral 1.5", "part front"]
+    assert offered.pop_inapplicable_fields(answer) == ["lateral 1.5", "part front"]
     assert answer == {
         "placement": {"position": "ahead", "gap": 20},
         "phases": [{"action": "brake", "gap": 5}, {"action": "collide", "part": "rear"}],
@@ -331,7 +331,7 @@ CHILD = ObjectSpec(name="child", type="child", placement=Placement(position="sid
 )
 def test_a_sentence_is_made_from_the_spec_and_what_it_lost_is_listed(said, lost):
     objects = (Component(id="O1", spec=VAN), Component(id="O2", spec=CHILD))
-    s = spoken.told(Structure(text=said, objects=objects), {"O1": said})
+    s = rendered_sentences.told(Structure(text=said, objects=objects), {"O1": said})
     assert s["O1"].description == (
         "A van ahead of ego in the same lane, 20 m away; it brakes (brake when the child begins to cross the road)."
     )

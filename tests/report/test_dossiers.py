@@ -7,7 +7,7 @@ import pytest
 
 from c2s_engine.api import Engine
 from c2s_engine.report.dossier import dossier
-from c2s_engine.report.gather import Told, of_program, of_session, of_text, read_records
+from c2s_engine.report.gather import TextRecord, of_program, of_session, of_text, read_records
 from c2s_engine.report.material import ReportError
 from c2s_engine.report.writing import write
 from c2s_engine.saving import save
@@ -26,7 +26,7 @@ lead = new Car ahead of ego by 12, with behavior FollowLaneBehavior(8)
 async def test_same_inputs_give_the_same_bytes(engine: Engine, tmp_path: Path) -> None:
     for form in ("md", "html", "json"):
         for again in ("a", "b"):
-            material = await of_text(engine, Told("truck", TEXT), seed=3)
+            material = await of_text(engine, TextRecord("truck", TEXT), seed=3)
             write(material, tmp_path / f"{form}-{again}", form)
         names = sorted(f.name for f in (tmp_path / f"{form}-a").iterdir())
         assert names == sorted(["moments.png", "plots.png", f"report.{form}"])
@@ -35,7 +35,7 @@ async def test_same_inputs_give_the_same_bytes(engine: Engine, tmp_path: Path) -
 
 
 async def test_shows_what_was_said_and_what_happened(engine: Engine, tmp_path: Path) -> None:
-    material = await of_text(engine, Told("truck", TEXT, "the truck brakes"))
+    material = await of_text(engine, TextRecord("truck", TEXT, "the truck brakes"))
     shown = json.loads(write(material, tmp_path, "json").read_text("utf-8"))
     assert shown["text"] == TEXT and shown["matters"] == "the truck brakes"
     assert [c["id"] for c in shown["structure"]] == ["G", "R", "E", "O1", "T"]
@@ -51,7 +51,7 @@ async def test_shows_what_was_said_and_what_happened(engine: Engine, tmp_path: P
 
 
 async def test_blind_tells_neither_method_nor_scores(engine: Engine, tmp_path: Path) -> None:
-    material = await of_text(engine, Told("truck", TEXT))
+    material = await of_text(engine, TextRecord("truck", TEXT))
     text = write(material, tmp_path, "md", blind=True, head="THE RUBRIC").read_text("utf-8")
     assert text.startswith("THE RUBRIC") and "method" not in text and "digests" not in dossier(material, blind=True)
 
@@ -95,7 +95,7 @@ async def test_run_that_breaks_off_says_when(engine: Engine, tmp_path: Path) -> 
 
 
 async def test_text_that_tells_no_scene(engine: Engine, tmp_path: Path) -> None:
-    material = await of_text(engine, Told("poem", "Roses are red and violets are blue."))
+    material = await of_text(engine, TextRecord("poem", "Roses are red and violets are blue."))
     assert material.problem.startswith("It did not run: ")
     assert "There is no program." in write(material, tmp_path).read_text("utf-8")
 

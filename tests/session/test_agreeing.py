@@ -2,7 +2,7 @@
 
 import pytest
 
-from c2s_engine.session.agreeing import agreeing
+from c2s_engine.session.without_contradictions import without_contradictions
 from c2s_engine.structure.progress import Finished
 from c2s_engine.write.typed import contradiction
 from tests.write import draws
@@ -12,7 +12,7 @@ def test_every_drawn_contradiction_comes_to_agree_and_nothing_else_is_touched():
     found = 0
     for seed in range(150):
         structure = draws.structure(seed)
-        agreed = agreeing(structure)
+        agreed = without_contradictions(structure)
         if contradiction(structure):
             found += 1
             assert not contradiction(agreed)

@@ -3,7 +3,7 @@
 import pytest
 
 from c2s_engine.session.asked import HELP, UNANSWERED, answered, asks_for_account, wants_help
-from c2s_engine.structure.account import not_wholly, requirements_met
+from c2s_engine.structure.account import count_lost_clauses, requirements_met
 from c2s_engine.structure.components import Assumption, Component, Link, Structure, Unmet
 from c2s_engine.structure.facts import ContactFact, EventFact, ObjectFacts, RunFacts
 from c2s_engine.structure.measures import ActorMeasures, Measures, PairMeasures
@@ -270,4 +270,4 @@ def test_a_clause_without_effect_is_not_wholly_in_s_and_a_word_may_be():
     one = STRUCTURE.with_component(ego).with_component(crossing)
     clause, word = (Unmet(text=one.text[a:b], reason="S would be the same without it", span=(a, b))
                     for a, b in ((12, 29), (14, 21)))  # fmt: skip
-    assert [not_wholly(one, idle) for idle in ((), (word,), (clause,))] == [0, 0, 1]
+    assert [count_lost_clauses(one, idle) for idle in ((), (word,), (clause,))] == [0, 0, 1]

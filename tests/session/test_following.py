@@ -2,8 +2,8 @@
 
 import pytest
 
-from c2s_engine.session.following import following
 from c2s_engine.session.sessions import Sessions
+from c2s_engine.session.with_consequences import with_consequences
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import SetField, apply
 from c2s_engine.structure.progress import Say
@@ -22,23 +22,23 @@ LEFT = SetField(component="O1", path="placement.position", value="left_lane")
 
 def test_who_cuts_in_from_the_other_lane_cuts_in_the_other_way():
     before = scene(Phase(action="keep_lane"), Phase(action="cut_in", side="left", target="ego"))
-    after, said = following(before, apply(before, LEFT))
+    after, said = with_consequences(before, apply(before, LEFT))
     assert [p.side for p in after["O1"].spec.phases] == [None, "right"]
     assert said == ["O1 (lorry) cuts in to the right from there."]
-    assert following(before, apply(before, SetField(component="O1", path="speed", value=20.0)))[1] == []
+    assert with_consequences(before, apply(before, SetField(component="O1", path="speed", value=20.0)))[1] == []
 
 
 def test_a_side_that_is_told_stays():
     before = scene(Phase(action="cut_in", side="left", target="ego"))
     told = apply(before, SetField(component="O1", path="phases", value=[{"action": "lane_change", "side": "left"}]))
-    after, said = following(before, apply(told, LEFT))
+    after, said = with_consequences(before, apply(told, LEFT))
     assert after["O1"].spec.phases[0].side == "left" and not said
 
 
 @pytest.mark.parametrize(("lanes", "open_now"), [(2, True), (1, True), (4, False)])
 def test_of_two_lanes_none_is_the_middle_one(lanes, open_now):
     before = scene(lanes=3, ego_lane="middle")
-    after, said = following(before, apply(before, SetField(component="R", path="lanes", value=lanes)))
+    after, said = with_consequences(before, apply(before, SetField(component="R", path="lanes", value=lanes)))
     assert (after.place.spec.ego_lane is None) is open_now is bool(said)
 
 
@@ -60,16 +60,16 @@ async def test_in_a_session_it_is_said_and_written(engine, tmp_path):
 
 def test_what_somebody_does_is_as_fast_as_is_said_of_it_now():
     before = scene(Phase(action="lane_change", side="left", speed=15.0), Phase(action="keep_lane"))
-    after, said = following(before, apply(before, SetField(component="O1", path="speed", value=10.0)))
+    after, said = with_consequences(before, apply(before, SetField(component="O1", path="speed", value=10.0)))
     assert after["O1"].spec.phases[0].speed is None and after["O1"].spec.speed == 10.0
     assert said == ["O1 (lorry) does at that speed what it did at 54 km/h."]
     two = scene(Phase(action="lane_change", side="left", speed=15.0), Phase(action="brake", speed=5.0))
-    assert following(two, apply(two, SetField(component="O1", path="speed", value=10.0)))[1] == []
+    assert with_consequences(two, apply(two, SetField(component="O1", path="speed", value=10.0)))[1] == []
 
 
 def test_who_gives_way_no_more_has_no_phase_of_giving_way():
     ego = EgoSpec(speed=8.0, reaction="yield", react_to="O1", phases=(
         Phase(action="yield", target="O1"), Phase(action="start"), Phase(action="turn_left")))  # fmt: skip
     before = scene().with_component(Component(id="E", spec=ego))
-    after, said = following(before, apply(before, SetField(component="E", path="reaction", value="none")))
+    after, said = with_consequences(before, apply(before, SetField(component="E", path="reaction", value="none")))
     assert [p.action for p in after.ego.spec.phases] == ["turn_left"] and "gives way to nobody" in said[0]

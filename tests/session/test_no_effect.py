@@ -5,7 +5,7 @@ from session_fake import FakeEngine
 
 from c2s_engine.api import Engine
 from c2s_engine.interpret.phrases import without_each
-from c2s_engine.session.no_effect import REASON, UNSAID, told
+from c2s_engine.session.no_effect import REASON, UNSAID, phrases_sentence
 from c2s_engine.session.reader import Unreadable, read
 from c2s_engine.session.sessions import Sessions
 from c2s_engine.structure.components import Structure, Unmet
@@ -46,7 +46,7 @@ async def test_of_what_a_model_has_read_those_phrases_are_named_that_nothing_in_
     read_so = (await read(text, engine.tools)).model_copy(update={"read_by": "reader", "not_understood": ()})
     found = await engine.without_effect(text, read_so=read_so)
     assert [(u.text, u.reason) for u in found] == [("red", UNSAID), ("without indicating", UNSAID)]
-    assert told(found) == "Nothing in S says: “red”; “without indicating”."
+    assert phrases_sentence(found) == "Nothing in S says: “red”; “without indicating”."
     lead = read_so.objects[0]
     read_so = read_so.with_component(lead.model_copy(update={"description": "A red car brakes."}))
     assert [u.text for u in await engine.without_effect(text, read_so=read_so)] == ["without indicating"]

@@ -3,7 +3,7 @@
 import pytest
 
 from c2s_engine.structure.components import Component, Structure
-from c2s_engine.structure.crossers import before_whom
+from c2s_engine.structure.crossers import crossed_vehicle
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 
@@ -31,4 +31,4 @@ def test_before_whom_somebody_crosses(name):
     objects = (Component(id="O1", spec=ObjectSpec.model_validate({"name": "lead", **ahead})),
                Component(id="O2", spec=ObjectSpec.model_validate(across)))  # fmt: skip
     structure = Structure(ego=Component(id="E", spec=EgoSpec.model_validate(ego)), objects=objects)
-    assert before_whom(structure, "O2") == whom
+    assert crossed_vehicle(structure, "O2") == whom

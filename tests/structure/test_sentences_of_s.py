@@ -5,7 +5,7 @@ import pytest
 from c2s_engine.solve.unknowns import Unknown, chosen
 from c2s_engine.structure.components import Component, Structure, field_words
 from c2s_engine.structure.edits import SetField, apply
-from c2s_engine.structure.sentences import described, retold
+from c2s_engine.structure.sentences import described, with_updated_sentences
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement
 from c2s_engine.structure.values import fields, show
 
@@ -33,9 +33,9 @@ def test_the_sentence_says_a_speed_as_the_field_does(speed):
 def test_a_sentence_of_the_users_own_stays():
     own = SCENE.with_component(SCENE["O1"].model_copy(update={"description": "That awful van again."}))
     changed = apply(own, SetField(component="O1", path="speed", value=10.0))
-    assert retold(own, changed)["O1"].description == "That awful van again."
+    assert with_updated_sentences(own, changed)["O1"].description == "That awful van again."
     by_hand = changed.with_component(SCENE["O1"].model_copy(update={"origin": "by_hand"}))
-    assert retold(SCENE, by_hand)["O1"].description == SCENE["O1"].description
+    assert with_updated_sentences(SCENE, by_hand)["O1"].description == SCENE["O1"].description
 
 
 def test_a_field_in_words():

@@ -4,7 +4,7 @@ import pytest
 
 from c2s_engine.paths import shipped
 from c2s_engine.session.glossary import meaning, page, terms
-from c2s_engine.structure.happening import ACTS, WORDS
+from c2s_engine.structure.event_words import ACTS, WORDS
 from c2s_engine.structure.specs import Condition, Limit, ObjectSpec, Phase, Placement, Trigger
 from c2s_engine.structure.values import field_at, fields, parse, show, summary
 from c2s_engine.structure.vocabulary import Action

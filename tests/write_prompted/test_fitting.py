@@ -72,7 +72,7 @@ def structure(**parts) -> Structure:
 def test_who_runs_a_red_light_gives_ego_a_green_one():
     s = structure()
     assert "the traffic light that ego faces: 'green'" in settings_text(s, Ground())
-    assert not header.told_nothing(s) and header.told_nothing(Structure(text="x"))
+    assert not header.is_default_header(s) and header.is_default_header(Structure(text="x"))
     red = s.with_component(s.settings.model_copy(update={"spec": SettingsSpec(light="red")}))
     assert "ego faces: 'red'" in settings_text(red, Ground()), "what is told stands"
 

@@ -25,11 +25,11 @@ TO_CROSSWALK = 1.0
 
 def courses(situation: Situation) -> dict[str, Course]:
     """The course of every object by its name, up to its first contact."""
-    lie = Lie(situation)
+    lie = LaneRelations(situation)
     return {seen.name: _course(seen, situation, lie) for seen in situation.objects}
 
 
-def _course(seen: Seen, situation: Situation, lie: "Lie") -> Course:
+def _course(seen: Seen, situation: Situation, lie: "LaneRelations") -> Course:
     ego = situation.ego
 
     def kept(values: np.ndarray) -> tuple[float, ...]:
@@ -49,7 +49,7 @@ def _course(seen: Seen, situation: Situation, lie: "Lie") -> Course:
     )
 
 
-class Lie:
+class LaneRelations:
     """How each lane lies to ego's way."""
 
     def __init__(self, situation: Situation) -> None:
@@ -89,7 +89,7 @@ class Lie:
         return "crossing" if self.junctions & (ahead | behind) else "other"
 
 
-def _stays(seen: Seen, situation: Situation, lie: Lie) -> list[Stay]:
+def _stays(seen: Seen, situation: Situation, lie: LaneRelations) -> list[Stay]:
     index, around = situation.index, beside(seen, situation)
     found = []
     for lane, first, last in seen.runs:
@@ -106,7 +106,7 @@ def _stays(seen: Seen, situation: Situation, lie: Lie) -> list[Stay]:
     return found
 
 
-def _off_lanes(seen: Seen, situation: Situation, step: int, junction: str | None, lie: Lie) -> Stay:
+def _off_lanes(seen: Seen, situation: Situation, step: int, junction: str | None, lie: LaneRelations) -> Stay:
     """What is under one on no lane from a step on; who rides past a junction's ways is in it."""
     index, time = situation.index, round(step * situation.step, 2)
     if is_intersection(situation, junction):

@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 
 from c2s_engine.interpret import language, typologies
 from c2s_engine.interpret.accounting.clauses import of_sentences, span_of
-from c2s_engine.interpret.accounting.links import linked, owners, unheld, untaken
-from c2s_engine.interpret.accounting.starts import with_unread
-from c2s_engine.interpret.accounting.verbs import BARE, Untold
+from c2s_engine.interpret.accounting.links import linked, missing_actions, owners, unmatched_values
+from c2s_engine.interpret.accounting.starts import with_unresolved_start_phrases
+from c2s_engine.interpret.accounting.verbs import BARE, UnaccountedVerbs
 from c2s_engine.interpret.reading.dates import WHEN
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.scene import Scene
@@ -48,7 +48,7 @@ def accounted(scene: Scene, structure: Structure, text: str) -> Structure:
     return _Account(scene, linked(scene, structure), text, named[2] if named else None).made()
 
 
-def accounted_as_read(scene: Scene, structure: Structure, text: str) -> Structure:
+def accounted_for_given_structure(scene: Scene, structure: Structure, text: str) -> Structure:
     """The same of an S that was not made of the scene: what the interpreter's grammar does not know may be in that, so
     that a clause is lost only where it has a value that no field holds, or bounds that T does not have."""
     structure = linked(scene, structure)
@@ -83,7 +83,7 @@ class _Account:
         self.spans = [li.span for c in structure.components for li in c.links if li.span and li.field]
         self.spans += [li.span for li in structure.place.links if li.span]
         self.notes = [u.span for c in structure.components for u in c.unmet if u.span]
-        self.untold = Untold(scene, self.known)
+        self.unaccounted = UnaccountedVerbs(scene, self.known)
         self.quantities = [(s.start, s.end) for s in scene.spans if s.kind == "quantity"]
 
     def made(self) -> Structure:
@@ -98,12 +98,12 @@ class _Account:
                 note = Unmet(text=self.scene.text[slice(*span)], reason=reason.reason, span=span)
                 (background if reason.background else missed).append(note)
             missed += self._left_out([s for s, n in zip(spans, lost, strict=True) if n is None])
-            missed += self._untold([w for w, n in zip(sentence, lost, strict=True) if n is None], missed)
+            missed += self._verb_notes([w for w, n in zip(sentence, lost, strict=True) if n is None], missed)
             if not all(lost):
                 self._attach([s for s, n in zip(spans, lost, strict=True) if n is None])
         update = {"clauses": tuple(clauses), "background": tuple(background), "not_understood": tuple(missed)}
         structure = self.structure.model_copy(update=update)
-        return with_unread(self.scene, structure, [n.span for n in missed if n.span])
+        return with_unresolved_start_phrases(self.scene, structure, [n.span for n in missed if n.span])
 
     def _together(self, spans: list[Span], lost: list[_Lost | None]) -> list[tuple[Span, _Lost]]:
         """A sentence of which nothing is left is one note."""
@@ -118,26 +118,26 @@ class _Account:
     def _left_out(self, spans: list[Span]) -> list[Unmet]:
         """What was read in clauses that otherwise became part of S, and S does not have: deeds and values."""
         text, notes = self.scene.text, []
-        for event, cid in untaken(self.scene, self.structure):
+        for event, cid in missing_actions(self.scene, self.structure):
             word = self.scene.words[event.word]
             at = (word.start, word.end)
             notes.append(Unmet(text=text[slice(*at)], reason=NO_STEP.format(event.act.replace("_", " "), cid), span=at))
-        notes += self._unheld()
+        notes += self._value_notes()
         return [n for n in notes if n.span and _meets(n.span, spans) and not _meets(n.span, self.notes)]
 
-    def _unheld(self) -> list[Unmet]:
+    def _value_notes(self) -> list[Unmet]:
         """Values of the text that no field has."""
-        values = [(self.scene.text[slice(*at)], at) for at in unheld(self.scene, self.structure)]
+        values = [(self.scene.text[slice(*at)], at) for at in unmatched_values(self.scene, self.structure)]
         return [Unmet(text=words, reason=NO_VALUE.format(words), span=at) for words, at in values]
 
-    def _untold(self, clauses: list[list[Word]], missed: list[Unmet]) -> list[Unmet]:
+    def _verb_notes(self, clauses: list[list[Word]], missed: list[Unmet]) -> list[Unmet]:
         """Verbs with what goes with them that led to nothing in S, though their clause is in it by other words."""
         known = [n.span for n in missed if n.span]
         notes = []
         for words in clauses:
             if _topic(words, named=True):
                 continue
-            for verb, span in self.untold.in_clause(words):
+            for verb, span in self.unaccounted.in_clause(words):
                 if not _meets((verb.start, verb.end), [*self.spans, *self.notes, *known]):
                     reason = STRANGE.format(verb.text)
                     notes.append(Unmet(text=self.scene.text[slice(*span)], reason=reason, span=span))
@@ -216,9 +216,9 @@ class _AsRead(_Account):
         return self._aside(span, any(w.tag.startswith("VB") for w in words), len(words))
 
     def _left_out(self, spans: list[Span]) -> list[Unmet]:
-        return [n for n in self._unheld() if n.span and _meets(n.span, spans) and not _meets(n.span, self.notes)]
+        return [n for n in self._value_notes() if n.span and _meets(n.span, spans) and not _meets(n.span, self.notes)]
 
-    def _untold(self, clauses: list[list[Word]], missed: list[Unmet]) -> list[Unmet]:
+    def _verb_notes(self, clauses: list[list[Word]], missed: list[Unmet]) -> list[Unmet]:
         return []
 
 

@@ -26,7 +26,7 @@ def linked(scene: Scene, structure: Structure) -> Structure:
         component = structure[cid]
         first = "" if cid == "E" else "type"  # that somebody is there
         links = [_link(scene, (m.start, m.end), "" if n else first) for n, m in enumerate(entity.mentions)]
-        links += [_of_event(scene, component, e) for e in scene.clauses.events if _tells_of(scene, entity, e)]
+        links += [_of_event(scene, component, e) for e in scene.clauses.events if _is_action_of(scene, entity, e)]
         if (speed := scene.speeds.get(entity)) is not None:
             links.append(_link(scene, (speed[2], speed[3]), "speed"))
         structure = _with(structure, cid, links)
@@ -52,7 +52,7 @@ def owners(scene: Scene, structure: Structure) -> dict[Entity, str]:
     return {e: cid for e, cid in ids.items() if cid in structure}
 
 
-def _tells_of(scene: Scene, entity: Entity, event: Event) -> bool:
+def _is_action_of(scene: Scene, entity: Entity, event: Event) -> bool:
     """Whether it is something that the entity does, or is said not to do."""
     mine = event.agent is entity or entity in event.also and event.patient is not entity
     return mine and (event.done or event.mode == "negated")
@@ -64,14 +64,14 @@ def _of_event(scene: Scene, component: Component, event: Event) -> Link:
     return _link(scene, (word.start, word.end), field)
 
 
-def untaken(scene: Scene, structure: Structure) -> Iterator[tuple[Event, str]]:
+def missing_actions(scene: Scene, structure: Structure) -> Iterator[tuple[Event, str]]:
     """What somebody of S does by the text, as an action would say it, and S does not: with the component."""
     acts = language.table("acts")
     turns = getattr(structure.place.spec, "manoeuvre", None) is not None
     for entity, cid in owners(scene, structure).items():
         for event in scene.clauses.events:
             steps = event.act in acts["phases"] or event.act in get_args(Action)
-            if not (steps and event.done and _tells_of(scene, entity, event)) or event.act in STATES:
+            if not (steps and event.done and _is_action_of(scene, entity, event)) or event.act in STATES:
                 continue
             if cid == "E" and turns and event.act in ("turn", "u_turn"):
                 continue
@@ -79,7 +79,7 @@ def untaken(scene: Scene, structure: Structure) -> Iterator[tuple[Event, str]]:
                 yield event, cid
 
 
-def unheld(scene: Scene, structure: Structure) -> Iterator[tuple[int, int]]:
+def unmatched_values(scene: Scene, structure: Structure) -> Iterator[tuple[int, int]]:
     """Where values stand in the text that no field of S has; times also as the way that is driven in them."""
     held = [n for c in structure.components for n in _numbers(c.spec.model_dump())]
     speeds = [n for c in (structure.ego, *structure.objects) for n in _numbers(getattr(c.spec, "speed", None))]

@@ -17,7 +17,7 @@ OF_A_PLACE = ("prep", "prt", "advmod", "npadvmod")
 """Grammatical relations of words of place to their verb or noun."""
 
 
-def with_unread(scene: Scene, structure: Structure, lost: Iterable[Span]) -> Structure:
+def with_unresolved_start_phrases(scene: Scene, structure: Structure, lost: Iterable[Span]) -> Structure:
     """S, in which an assumed start names the words of place in the same clause that led to nothing; `lost`: what of the
     text did not."""
     place = structure.place

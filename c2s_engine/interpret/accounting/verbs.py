@@ -20,7 +20,7 @@ MEETS = frozenset(("detect", "sense", "confront", "encounter", "face", "spawn"))
 """Who is named with these is there, too."""
 
 
-class Untold:
+class UnaccountedVerbs:
     """The verbs of a scene that led to nothing in S."""
 
     def __init__(self, scene: Scene, known: set[int]) -> None:

@@ -9,7 +9,7 @@ from typing import get_args
 from c2s_engine.interpret.changes.forms import Found, name_of, quantity_of, value_of
 from c2s_engine.interpret.changes.motion import is_relative
 from c2s_engine.interpret.changes.refer import doing, refer
-from c2s_engine.interpret.changes.retold import table
+from c2s_engine.interpret.changes.scene_context import table
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.spans import Span
 from c2s_engine.structure.components import Component, Structure

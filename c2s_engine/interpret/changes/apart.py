@@ -6,6 +6,6 @@
 from c2s_engine.structure.components import Structure
 
 
-def told_apart(clause: str, structure: Structure) -> tuple[str, Structure]:
+def with_distinct_nouns(clause: str, structure: Structure) -> tuple[str, Structure]:
     """The clause and S with a noun of its own for each of one type; both as they are where that is not needed."""
     return clause, structure

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from c2s_engine.interpret.changes.forms import Found, quantity_of
 from c2s_engine.interpret.changes.refer import refer, spec_of
-from c2s_engine.interpret.changes.retold import read, scene
+from c2s_engine.interpret.changes.scene_context import read, scene
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure import sentences as describe
 from c2s_engine.structure.components import Structure
@@ -45,7 +45,7 @@ def bound(clause: str, structure: Structure) -> Found | None:
     if not limits:
         return None
     kept = [m for m in _limits(structure) if (m.kind, m.subject) not in {(n.kind, n.subject) for n in limits}]
-    return [SetField(component="T", path="limits", value=(*kept, *limits))], _told(limits, structure)
+    return [SetField(component="T", path="limits", value=(*kept, *limits))], _limits_text(limits, structure)
 
 
 KINDS = (
@@ -90,7 +90,7 @@ def bounded(clause: str, structure: Structure) -> Found | None:
         {"kind": kind[0], "subject": subject, "other": other, "minimum" if lower else "maximum": value}
     )
     kept = [m for m in _limits(structure) if (m.kind, m.subject, m.other) != (limit.kind, subject, other)]
-    return [SetField(component="T", path="limits", value=(*kept, limit))], _told([limit], structure)
+    return [SetField(component="T", path="limits", value=(*kept, limit))], _limits_text([limit], structure)
 
 
 def allowed(clause: str, structure: Structure) -> Found | None:
@@ -108,7 +108,7 @@ def allowed(clause: str, structure: Structure) -> Found | None:
     if not meant:
         return [], f"no limit forbids what “{clause}” allows"
     kept = tuple(m for m in _limits(structure) if m not in meant)
-    return [SetField(component="T", path="limits", value=kept)], f"no longer: {_told(meant, structure)}"
+    return [SetField(component="T", path="limits", value=kept)], f"no longer: {_limits_text(meant, structure)}"
 
 
 def contact(clause: str, structure: Structure) -> Found | None:
@@ -131,7 +131,7 @@ def contact(clause: str, structure: Structure) -> Found | None:
         return None
     old = _limits(structure)
     new = [m for m in limits if m not in old]
-    return [SetField(component="T", path="limits", value=(*old, *new))], _told(limits, structure)
+    return [SetField(component="T", path="limits", value=(*old, *new))], _limits_text(limits, structure)
 
 
 def lifted(clause: str, structure: Structure) -> Found | None:
@@ -149,7 +149,7 @@ def lifted(clause: str, structure: Structure) -> Found | None:
     if len(meant) > 1 and not re.search(r"\b(?:all|every|both|limits|restrictions)\b", clause):
         return [], f"say which limit: {'; '.join(_words_of(m, structure) for m in meant)}"
     kept = tuple(m for m in limits if m not in meant)
-    return [SetField(component="T", path="limits", value=kept)], f"no longer: {_told(meant, structure)}"
+    return [SetField(component="T", path="limits", value=kept)], f"no longer: {_limits_text(meant, structure)}"
 
 
 def _limits(structure: Structure) -> tuple[Limit, ...]:
@@ -158,7 +158,7 @@ def _limits(structure: Structure) -> tuple[Limit, ...]:
     return spec.limits
 
 
-def _told(limits: Sequence[Limit], structure: Structure) -> str:
+def _limits_text(limits: Sequence[Limit], structure: Structure) -> str:
     return "; ".join(_words_of(limit, structure) for limit in limits)
 
 

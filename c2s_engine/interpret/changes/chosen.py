@@ -54,7 +54,7 @@ def called(component: Component, text: str = "") -> set[str]:
     return set(words) - ARTICLES
 
 
-def meant_by(before: str, found: list[Component], text: str) -> list[Component]:
+def matching_modifiers(before: str, found: list[Component], text: str) -> list[Component]:
     """Those of several whom what stands before a noun tells from the others, by the text that S was read from; all of
     them where it says nothing, none where it is of nobody."""
     words = set(re.findall(r"[\w-]+", NOUN_PHRASE.search(before)[0])) - {*PLAIN, *ARTICLES, *ROLES}  # type: ignore[index]

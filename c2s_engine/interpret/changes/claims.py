@@ -11,7 +11,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.refer import refer
-from c2s_engine.interpret.changes.unsaid import NEAR, vocabulary_words
+from c2s_engine.interpret.changes.unmatched_details import NEAR, vocabulary_words
 from c2s_engine.interpret.reading import amounts, scan
 from c2s_engine.interpret.spans import Span
 from c2s_engine.interpret.surroundings import environment
@@ -68,22 +68,23 @@ UNTOUCHED = re.compile(
 
 
 @dataclass(frozen=True)
-class Left:
+class UnaddressedWords:
     """The words of a demand to which nothing answers: those without which it is another demand, and the rest."""
 
     needed: tuple[str, ...] = ()
     besides: tuple[str, ...] = ()
 
-    def with_more(self, words: Sequence[str]) -> "Left":
+    def with_more(self, words: Sequence[str]) -> "UnaddressedWords":
         """With words that a reading left out, but for those that are there already or are within them."""
         known = [*self.needed, *self.besides]
-        return Left(self.needed, (*self.besides, *(w for w in words if not any(w in k or k in w for k in known))))
+        new = (w for w in words if not any(w in k or k in w for k in known))
+        return UnaddressedWords(self.needed, (*self.besides, *new))
 
     def __len__(self) -> int:
         return len(self.needed) * 2 + len(self.besides)
 
 
-def unmet(demand: str, before: Structure, after: Structure) -> Left:
+def unaddressed_words(demand: str, before: Structure, after: Structure) -> UnaddressedWords:
     """The words of a demand that nothing in what is changed (or already holds) answers, as they are said."""
     changed = list(_differences(before, after))
     spans = [s for s in scan.names(demand) if s.kind in ("actor", "label", "ego")]
@@ -101,8 +102,8 @@ def unmet(demand: str, before: Structure, after: Structure) -> Left:
     if not any(path.split(".")[1:2] == ["phases"] for path, _ in changed):
         needed, besides = [*needed, *_moments(demand, changed)], besides[len(_moments(demand, changed)) :]
     if changed and edited == {"R"}:  # the side of something at the road, which has none in S
-        return Left(tuple(needed), (*words, *besides))
-    return Left((*needed, *words), tuple(besides))
+        return UnaddressedWords(tuple(needed), (*words, *besides))
+    return UnaddressedWords((*needed, *words), tuple(besides))
 
 
 def _named(demand: str, spans: Sequence[Span], structure: Structure) -> list[tuple[str, Component]]:

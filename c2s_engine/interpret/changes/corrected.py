@@ -11,7 +11,7 @@ from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import put
-from c2s_engine.interpret.changes.chosen import meant_by
+from c2s_engine.interpret.changes.chosen import matching_modifiers
 from c2s_engine.interpret.changes.meant import called
 from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
 from c2s_engine.interpret.reading import scan
@@ -22,7 +22,7 @@ _ELLIPTIC = 7  # words at most of a text that leaves out whom it is about
 
 
 @dataclass(frozen=True)
-class Last:
+class PreviousTurn:
     """The turn before: what was typed, and S as it was then."""
 
     text: str
@@ -30,7 +30,7 @@ class Last:
 
 
 @dataclass(frozen=True)
-class Again:
+class CorrectedTurn:
     """What is to be read instead, and upon which S; `why`: why it cannot be said of another."""
 
     text: str = ""
@@ -43,7 +43,7 @@ def _table() -> dict[str, Any]:
     return found
 
 
-def corrected(plain: str, structure: Structure, last: Last) -> Again | None:
+def corrected(plain: str, structure: Structure, last: PreviousTurn) -> CorrectedTurn | None:
     """What was typed last as it was meant; None where the text corrects nothing."""
     table = _table()
     if last.before.text != structure.text:
@@ -62,8 +62,8 @@ def corrected(plain: str, structure: Structure, last: Last) -> Again | None:
         return None
     for form, said_anew in ((table["value"], _valued), (_opposite(), _turned), (table["type"], _typed)):
         if (match := re.fullmatch(form, what)) and (text := said_anew(match, before)):
-            return Again(text, last.before)
-    meant = _named(what, last.before) or _told_apart(what, structure, last)
+            return CorrectedTurn(text, last.before)
+    meant = _named(what, last.before) or _matching_modifier(what, structure, last)
     return _of_another(before, [meant], structure, last, upon) if meant is not None else None
 
 
@@ -75,15 +75,17 @@ def _named(what: str, structure: Structure) -> Component | None:
     return refer(name, structure, alone=False) if whole and (not spans or spans[0].end == len(name)) else None
 
 
-def _told_apart(what: str, structure: Structure, last: Last) -> Component | None:
+def _matching_modifier(what: str, structure: Structure, last: PreviousTurn) -> Component | None:
     """ "The red one": of those of the type of whom the last turn changed, the one whom the text calls so."""
     types = {spec_of(c).type for c in _touched(structure, last) if c.id != "E"}
     alike = [c for c in last.before.objects if spec_of(c).type in types]
-    found = meant_by(what[:-3], alike, last.before.text) if re.fullmatch(r"the [\w-]+(?: [\w-]+)? one", what) else []
+    if not re.fullmatch(r"the [\w-]+(?: [\w-]+)? one", what):
+        return None
+    found = matching_modifiers(what[:-3], alike, last.before.text)
     return found[0] if len(found) == 1 else None
 
 
-def _touched(structure: Structure, last: Last) -> list[Component]:
+def _touched(structure: Structure, last: PreviousTurn) -> list[Component]:
     """Those whom the last turn changed, as they were before."""
     there = {c.id: c for c in structure.components}
     return [
@@ -93,7 +95,7 @@ def _touched(structure: Structure, last: Last) -> list[Component]:
     ]
 
 
-def of_the_same(plain: str, structure: Structure, last: Last) -> tuple[str, str] | None:
+def of_the_same(plain: str, structure: Structure, last: PreviousTurn) -> tuple[str, str] | None:
     """Whom a short text that names nobody is about, where the last turn changed or added one alone, and the text with
     its name: "no, 5 m closer" after "add a cyclist"."""
     if last.before.text != structure.text or len(plain.split()) > _ELLIPTIC:
@@ -112,7 +114,7 @@ def of_the_same(plain: str, structure: Structure, last: Last) -> tuple[str, str]
     return changed[0], f"{name} {said}"
 
 
-def _others(noun: str, structure: Structure, last: Last) -> list[Component]:
+def _others(noun: str, structure: Structure, last: PreviousTurn) -> list[Component]:
     """Who can be the other: of the noun, else of the same type as who was changed, else whoever is there."""
     touched = _touched(structure, last)
     gone = {c.id for c in touched}
@@ -127,13 +129,14 @@ def _others(noun: str, structure: Structure, last: Last) -> list[Component]:
     return found or ([last.before.ego] if "E" not in gone and touched else [])
 
 
-def _of_another(before: str, found: list[Component], structure: Structure, last: Last, upon: Structure) -> Again | None:
+def _of_another(before: str, found: list[Component], structure: Structure, last: PreviousTurn,
+                upon: Structure) -> CorrectedTurn | None:  # fmt: skip
     """The last text with another in the place of whom it changed."""
     touched = {c.id for c in _touched(structure, last)}
     if not touched or not found or len(found) == 1 and found[0].id in touched:
         return None
     if len(found) > 1:
-        return Again(why=f"which one is meant? There are {', '.join(c.id for c in found)}")
+        return CorrectedTurn(why=f"which one is meant? There are {', '.join(c.id for c in found)}")
     name = "ego" if found[0].id == "E" else found[0].id.lower()
     plain = called(put.plainly(before, last.before), last.before)
     said = _renamed(
@@ -141,7 +144,7 @@ def _of_another(before: str, found: list[Component], structure: Structure, last:
     )
     if said == plain:
         said = re.sub(_table()["pronoun"], name, plain, count=1)
-    return Again(said if said != plain else f"{name} {plain}", upon)
+    return CorrectedTurn(said if said != plain else f"{name} {plain}", upon)
 
 
 def _renamed(plain: str, name: str, fits: Callable[[str], bool]) -> str:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from c2s_engine.interpret.changes.refer import doing
-from c2s_engine.interpret.changes.retold import table
+from c2s_engine.interpret.changes.scene_context import table
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, apply
 from c2s_engine.structure.quantity import in_words

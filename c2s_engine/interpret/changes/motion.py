@@ -7,7 +7,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.changes.forms import Found, base_of, from_to, name_of, quantity_of, value_of
 from c2s_engine.interpret.changes.in_words import in_words
 from c2s_engine.interpret.changes.phases import afterwards, awaited
-from c2s_engine.interpret.changes.refer import doing, refer, spec_of, told_of
+from c2s_engine.interpret.changes.refer import actions_named, doing, refer, spec_of
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.interpret.what.towards import OPPOSITE
@@ -225,7 +225,7 @@ def begun_by(clause: str, structure: Structure) -> Found | None:
         return None
     if waited.action not in {p.action for p in _phases(other)}:
         return None
-    act = next((a for a in told_of(main) if a in ("brake", "stop", "accelerate")), None)
+    act = next((a for a in actions_named(main) if a in ("brake", "stop", "accelerate")), None)
     if act is None:
         return None
     hard = float(language.table("defaults")["rates"]["hard"]["value"]) if re.search(r"\bhard\b", main) else None

@@ -4,12 +4,12 @@ import re
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.changes.chosen import ORDINALS, in_role, meant_by
+from c2s_engine.interpret.changes.chosen import ORDINALS, in_role, matching_modifiers
 from c2s_engine.interpret.changes.forms import ALREADY, Found, name_of
-from c2s_engine.interpret.changes.gone import gone
 from c2s_engine.interpret.changes.how_many import count_of
 from c2s_engine.interpret.changes.meant import is_there
 from c2s_engine.interpret.changes.refer import objects_of, refer, spec_of
+from c2s_engine.interpret.changes.removal_edits import removal_edits
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.surroundings import environment
 from c2s_engine.structure.components import Component, Structure
@@ -36,34 +36,34 @@ def remove(clause: str, structure: Structure) -> Found | None:
         return [SetField(component="R", path="control", value="none")], "no signs"
     coming = [c for c in structure.objects if spec_of(c).placement.position in ("oncoming_lane", "opposite_approach")]
     if coming and re.match(r"oncoming (?:traffic|vehicles|cars)$", rest):
-        return gone(coming, structure), "no oncoming traffic"
+        return removal_edits(coming, structure), "no oncoming traffic"
     if match[0].startswith(("stop ", "please stop ")) or _tells_more(rest):
         return None
     names = [n for n in re.split(r",? and |, | or ", rest) if n]
     found = [refer(name, structure, alone=len(names) == 1) for name in names]
     several = [c for c in found if c is not None and c.id != "E"]
     if len(names) > 1 and len({c.id for c in several}) == len(names):
-        return gone(several, structure), f"{', '.join(name_of(c) for c in several)} removed"
+        return removal_edits(several, structure), f"{', '.join(name_of(c) for c in several)} removed"
     component = refer(rest, structure, alone=len(structure.objects) == 1)
     if component is None or component.id == "E" or not is_there(rest, component):
         return None
     if (some := _some_of(rest, component)) is not None:
         return some
     alike = [c for c in structure.objects if spec_of(c).type == spec_of(component).type]
-    meant = _told_apart(rest, alike, structure.text) if len(alike) > 1 else None
+    meant = _matching_modifiers(rest, alike, structure.text) if len(alike) > 1 else None
     if meant is not None and component not in meant:
         if len(meant) != 1:
             return [], f"it is not clear which “{rest}” is: say {' or '.join(name_of(c) for c in meant or alike)}"
         component = meant[0]
-    return gone([component], structure), f"{name_of(component)} removed"
+    return removal_edits([component], structure), f"{name_of(component)} removed"
 
 
-def _told_apart(rest: str, alike: list[Component], text: str) -> list[Component] | None:
+def _matching_modifiers(rest: str, alike: list[Component], text: str) -> list[Component] | None:
     """Those of one type whom a phrase can mean by the words before its noun; None where that is known otherwise."""
     noun = next((s for s in scan.names(rest) if s.kind == "actor"), None)
     if noun is None or len(in_role(noun.data["roles"], alike)) < len(alike):
         return None
-    return meant_by(rest[: noun.end - len(noun.data["noun"])], alike, text)
+    return matching_modifiers(rest[: noun.end - len(noun.data["noun"])], alike, text)
 
 
 def _tells_more(rest: str) -> bool:

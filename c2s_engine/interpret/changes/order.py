@@ -11,11 +11,11 @@ from c2s_engine.interpret.changes.motion import begun_by, distance, rate, reacti
 from c2s_engine.interpret.changes.objects import remove, retype
 from c2s_engine.interpret.changes.roadsides import roadside
 from c2s_engine.interpret.changes.scene import ending, length, own_lane, road, setting
+from c2s_engine.interpret.changes.scene_clauses import acting, standing
 from c2s_engine.interpret.changes.signs import sign
 from c2s_engine.interpret.changes.speed import kept, speed, speed_difference, walked
 from c2s_engine.interpret.changes.swap import swapped
 from c2s_engine.interpret.changes.timing import shifted
-from c2s_engine.interpret.changes.told import acting, standing
 
 FORMS: tuple[Form, ...] = (
     lifted,

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from c2s_engine.interpret.changes.kept import WAYS, with_old
-from c2s_engine.interpret.changes.refer import doing, refer, spec_of, told_of
-from c2s_engine.interpret.changes.retold import table
+from c2s_engine.interpret.changes.refer import actions_named, doing, refer, spec_of
+from c2s_engine.interpret.changes.scene_context import table
 from c2s_engine.interpret.what.towards import OPPOSITE
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, SetField
@@ -43,7 +43,7 @@ def awaited(told: str, structure: Structure) -> Trigger | None:
     said = [a for a in actions if doing(condition, (a,))]
     if other.id == "E":
         return Trigger(kind="action", of="ego", action=said[0]) if said else None
-    return Trigger(kind="action", of=other.id, action=(said or told_of(condition) or actions)[0])
+    return Trigger(kind="action", of=other.id, action=(said or actions_named(condition) or actions)[0])
 
 
 def afterwards(told: str, structure: Structure) -> tuple[str, Trigger] | None:
@@ -59,7 +59,7 @@ def afterwards(told: str, structure: Structure) -> tuple[str, Trigger] | None:
         of = "ego" if named.id == "E" else named.id
         return main, Trigger(kind="passed", of=of, delay=delay)
     if named is not None and re.fullmatch(r"(?:the )?[\w-]+", match["what"]):
-        act = next(iter(told_of(main)), None)  # "brakes 1 s after ego"
+        act = next(iter(actions_named(main)), None)  # "brakes 1 s after ego"
         return (main, _of(named, act, delay)) if act and delay is not None else None
     if named is not None and delay is None:
         return None

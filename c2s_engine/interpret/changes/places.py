@@ -5,7 +5,7 @@ from typing import Any
 
 from c2s_engine.interpret.changes.phases import mapped
 from c2s_engine.interpret.changes.refer import spec_of
-from c2s_engine.interpret.changes.retold import located_in, on_its_way, table
+from c2s_engine.interpret.changes.scene_context import located_in, on_its_way, table
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import AddObject

@@ -98,7 +98,7 @@ def _labels(component: Component) -> set[str]:
     return {s.data["label"] for s, words in spans if "label" in s.data and (s.start, s.end) == (0, len(words))}
 
 
-def type_said(sentence: str) -> ObjectType:
+def first_actor_type(sentence: str) -> ObjectType:
     """The type of the first road user or thing that a sentence names; a car where it names none."""
     types = (s.data["type"] for s in scan.names(scan.normalised(sentence)) if s.kind == "actor")
     return next((t for t in types if t in get_args(ObjectType)), "car")
@@ -117,7 +117,7 @@ def doing(words: str, actions: Iterable[str]) -> bool:
     return False
 
 
-def told_of(words: str) -> list[Action]:
+def actions_named(words: str) -> list[Action]:
     """The acts that the words tell by a verb of doing, the likeliest first."""
     stems = language.table("refine")["doers"].items()
     return next((done for stem, done in stems if re.search(rf"\b(?:{stem})", words)), [])

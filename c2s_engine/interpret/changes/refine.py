@@ -6,16 +6,16 @@ from typing import Any
 from c2s_engine.interpret import language
 from c2s_engine.interpret.changes import limits, notes, order, pointed
 from c2s_engine.interpret.changes.all_of_them import each_of_all
-from c2s_engine.interpret.changes.claims import Left, unmet
+from c2s_engine.interpret.changes.claims import UnaddressedWords, unaddressed_words
 from c2s_engine.interpret.changes.demands import apart, demands, topic_of, whole
 from c2s_engine.interpret.changes.forms import ALREADY
 from c2s_engine.interpret.changes.meant import by_labels
 from c2s_engine.interpret.changes.motion import begun_by
 from c2s_engine.interpret.changes.refer import actions_of, doing, refer
+from c2s_engine.interpret.changes.scene_clauses import introduced, unparsed_words
 from c2s_engine.interpret.changes.speed import walked
 from c2s_engine.interpret.changes.still import still_done
-from c2s_engine.interpret.changes.told import introduced, unread
-from c2s_engine.interpret.changes.unshown import unshown
+from c2s_engine.interpret.changes.unsupported_demand import unsupported_demand
 from c2s_engine.interpret.reading import amounts, scan
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import AddObject, Edit, EditError, SetField, apply
@@ -53,9 +53,9 @@ def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edi
             parts.pop(0)
         demand = _of_the_topic(_other_one(demand, current), topic)
         before, topic = demand, topic_of(demand, current) or topic
-        hidden = unshown(demand)
+        hidden = unsupported_demand(demand)
         try:
-            read = (hidden, Left()) if hidden else _found(demand, current)
+            read = (hidden, UnaddressedWords()) if hidden else _found(demand, current)
             for other in (_with_article(demand, current), _with_verb(demand, current)):
                 if other and (read is None or read[1]):
                     again = _found(other, current)
@@ -65,9 +65,9 @@ def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edi
                 continue
             found, lost = read
             if nobody := pointed.stranger(demand, found[0], current):
-                found, lost = ([], pointed.absent(nobody, current)), Left()
+                found, lost = ([], pointed.absent(nobody, current)), UnaddressedWords()
             if re.match(_REPLACES, demand) and found[0] and all(isinstance(e, AddObject) for e in found[0]):
-                found, lost = ([], "it is not clear who is to be replaced"), Left()
+                found, lost = ([], "it is not clear who is to be replaced"), UnaddressedWords()
             unclear += [*lost.needed, *lost.besides]
             if lost.needed or lost.besides and not found[0]:
                 continue
@@ -92,8 +92,8 @@ def edits_of(text: str, structure: Structure, typed: str = "") -> tuple[list[Edi
         raise refused
     said += [f"not done: {refused}"] if refused is not None else []
     for demand, then, so in done[:-1]:
-        was = {*(first := unmet(demand, then, so)).needed, *first.besides}
-        undone = unmet(demand, then, current)
+        was = {*(first := unaddressed_words(demand, then, so)).needed, *first.besides}
+        undone = unaddressed_words(demand, then, current)
         unclear += [w for w in (*undone.needed, *undone.besides) if w not in was]
     unclear += unread_parts if said or unclear else []
     if unclear:
@@ -172,11 +172,11 @@ _REPLACES = r"(?:replace|swap|exchange|substitute)\b"
 _ONLY_WHEN = r"(?:(?:but|and|just|only) )*(?:\d[\d.]* ?(?:s|secs?|seconds?) )?(?:after|when|once|as soon as)\b"
 
 
-def _found(demand: str, structure: Structure) -> tuple[Found, Left] | None:
+def _found(demand: str, structure: Structure) -> tuple[Found, UnaddressedWords] | None:
     """What the form asks for that leaves fewest words of the demand without an answer, and these words; of forms that
     leave as many the first. Where somebody does that already, how fast he is to do it."""
     table = language.table("refine")["told"]
-    best: tuple[Found, Left] | None = None
+    best: tuple[Found, UnaddressedWords] | None = None
     for form in order.FORMS:
         found = form(demand, structure)
         if found is None:
@@ -189,7 +189,7 @@ def _found(demand: str, structure: Structure) -> tuple[Found, Left] | None:
             found = walked(demand, structure) or ([], f"{ALREADY} ({found[1]})")
         lost = _lost(demand, found, structure)
         if form in (order.acting, order.standing) and found[0]:
-            lost = lost.with_more(unread(demand, structure))
+            lost = lost.with_more(unparsed_words(demand, structure))
         if best is None or len(lost) < len(best[1]):
             best = found, lost
         if not lost or form is order.acting:
@@ -197,7 +197,8 @@ def _found(demand: str, structure: Structure) -> tuple[Found, Left] | None:
     return _together(demand, best, structure) if best is not None and best[1] else best
 
 
-def _together(demand: str, first: tuple[Found, Left], structure: Structure) -> tuple[Found, Left]:
+def _together(demand: str, first: tuple[Found, UnaddressedWords],
+              structure: Structure) -> tuple[Found, UnaddressedWords]:  # fmt: skip
     """What a form asks for, with what others ask for besides that answers more of the words: "2 s later and 10 m
     further ahead"."""
     (edits, said), lost = first
@@ -207,7 +208,7 @@ def _together(demand: str, first: tuple[Found, Left], structure: Structure) -> t
         if more is None or not more[0] or {_field(e) for e in more[0]} & {_field(e) for e in edits}:
             continue
         both = [*edits, *more[0]], f"{said}; {more[1]}"
-        left = unmet(demand, structure, _applied(both, structure))
+        left = unaddressed_words(demand, structure, _applied(both, structure))
         if len(left) < len(lost):
             (edits, said), lost = both, left
     return (edits, said), lost
@@ -217,11 +218,11 @@ def _field(edit: Edit) -> tuple[str, str]:
     return str(getattr(edit, "component", "")), str(getattr(edit, "path", ""))
 
 
-def _lost(demand: str, found: Found, structure: Structure) -> Left:
+def _lost(demand: str, found: Found, structure: Structure) -> UnaddressedWords:
     """The words that edits leave without an answer; none where a form only says why nothing is done."""
     if not found[0] and not found[1].startswith(ALREADY):
-        return Left()
-    return unmet(demand, structure, _applied(found, structure))
+        return UnaddressedWords()
+    return unaddressed_words(demand, structure, _applied(found, structure))
 
 
 def _with_article(demand: str, structure: Structure) -> str:

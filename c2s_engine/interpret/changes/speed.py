@@ -45,7 +45,7 @@ def speed(clause: str, structure: Structure) -> Found | None:
     said = clause[: other.start()] if base is not None and other is not None else clause
     if quantity is not None and not re.search(table["by_so_much"], clause):
         change = None  # a speed to have, not one more or less
-    who = whose(said, structure)
+    who = speed_owners(said, structure)
     if not who or quantity is None and change is None and base is None:
         return None
     each = [_at_speed(c, quantity, change, base) for c in who]
@@ -89,7 +89,7 @@ def _factor(clause: str) -> float | None:
     return 1 - share if less else 1 + share
 
 
-def whose(clause: str, structure: Structure) -> list[Component]:
+def speed_owners(clause: str, structure: Structure) -> list[Component]:
     """Whose speed it is."""
     table = {**language.table("refine"), **_table()}
     if re.search(table["all"], clause):

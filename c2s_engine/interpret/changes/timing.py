@@ -16,7 +16,7 @@ def shifted(clause: str, structure: Structure) -> Found | None:
     """ "The car brakes later", "the child starts 2 s earlier", "he comes too early": another moment of what is done."""
     table = language.table("refine")["timing"]
     match = re.match(table["said"], clause)
-    component = _whose(clause, match["who"], structure) if match else None
+    component = _timed_actor(clause, match["who"], structure) if match else None
     if match is None or component is None:
         return None
     later = bool(re.search(table["later"], match["way"]))
@@ -38,7 +38,7 @@ def shifted(clause: str, structure: Structure) -> Found | None:
     return [edit], f"{name_of(component)}: {moved.action.replace('_', ' ')} {'later' if later else 'earlier'}"
 
 
-def _whose(clause: str, who: str | None, structure: Structure) -> Component | None:
+def _timed_actor(clause: str, who: str | None, structure: Structure) -> Component | None:
     """Who is meant: by name, or by what is done."""
     named = refer(who, structure, alone=False) if who else None
     doers = [c for c in structure.objects if doing(clause, actions_of(c))] if named is None and not who else []

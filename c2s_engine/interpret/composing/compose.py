@@ -4,8 +4,8 @@ import re
 
 from c2s_engine.interpret.composing import objects, unmet
 from c2s_engine.interpret.composing.awaited import waited_for
+from c2s_engine.interpret.composing.braking_triggers import braking_triggers
 from c2s_engine.interpret.composing.drivers import compose_ego
-from c2s_engine.interpret.composing.in_turn import in_turn
 from c2s_engine.interpret.composing.objects import Draft
 from c2s_engine.interpret.composing.roads import compose_place
 from c2s_engine.interpret.composing.run_limits import restrictions
@@ -33,7 +33,7 @@ def compose(scene: Scene) -> Structure:
     ego, ego_assumed = compose_ego(scene, ids, place)
     drafts: list[Draft] = [objects.compose_object(scene, entity, ids, place, ego) for entity in ordered]
     ego = waited_for(scene, ego, drafts, ids)
-    in_turn(scene, ego, drafts, ids)
+    braking_triggers(scene, ego, drafts, ids)
     ego = settle(scene, ego, place, drafts, ids)
     place, turn_assumed = by_the_side_road(place, ego, drafts)
     place_assumed = [*_place_assumed(scene, place), *turn_assumed]

@@ -5,7 +5,7 @@ import re
 from c2s_engine.interpret.composing.changed_speeds import changed
 from c2s_engine.interpret.composing.ego_pace import ego_pace
 from c2s_engine.interpret.composing.lasting import lasting
-from c2s_engine.interpret.composing.own_braking import SHORT_OF, told_braking, told_stop
+from c2s_engine.interpret.composing.own_braking import SHORT_OF, stated_braking, stated_stop
 from c2s_engine.interpret.composing.passive import RESPONSES, remains_passive
 from c2s_engine.interpret.composing.seen import MARKS
 from c2s_engine.interpret.composing.steps import ONWARDS, duration_of, rate_of, target_speed, trigger_of
@@ -13,7 +13,7 @@ from c2s_engine.interpret.composing.tidied import tidy
 from c2s_engine.interpret.roles.ego_others import free_side, in_lane_conflict, last_actor, passed, way_back
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.what.event import Event
-from c2s_engine.interpret.what.left_untold import struck_standing
+from c2s_engine.interpret.what.fill_omissions import struck_standing
 from c2s_engine.interpret.who.mentions import MOTOR, Entity
 from c2s_engine.structure.components import Assumption
 from c2s_engine.structure.specs import EgoSpec, Phase, PlaceSpec, Trigger
@@ -67,11 +67,11 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             hard = hard or event.hard or bool(rate_of(event) and rate_of(event) >= 4)  # type: ignore[operator]
             who = who or (_before(scene, event, ids) if stop and SHORT_OF.search(event.text) else None)
             if stop and reaction == "brake" and not any(e.act in AROUND for e in events[events.index(event) :]):
-                phases.append(told_stop(event, who))
-            elif not stop and (braking := told_braking(event, who)) is not None:
+                phases.append(stated_stop(event, who))
+            elif not stop and (braking := stated_braking(event, who)) is not None:
                 phases.append(braking)
             else:
-                response = told_stop(event, who) if stop else Phase(action="brake", target=who)
+                response = stated_stop(event, who) if stop else Phase(action="brake", target=who)
         elif act == "follow":
             phases += lasting(event, [Phase(action="follow", target=who)])
             if phases[-1].target is None:

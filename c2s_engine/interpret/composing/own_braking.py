@@ -13,7 +13,7 @@ SHORT_OF = re.compile(
 """A distance of whoever stops to the one for whom that is."""
 
 
-def told_braking(event: Event, who: str | None) -> Phase | None:
+def stated_braking(event: Event, who: str | None) -> Phase | None:
     """The phase of a braking that is told with its moment, its rate or its final speed; else it only is a reaction."""
     trigger, speed = trigger_of(event), target_speed(event)
     lasts = duration_of(event)
@@ -22,7 +22,7 @@ def told_braking(event: Event, who: str | None) -> Phase | None:
     return Phase(action="brake", target=who, rate=rate_of(event), speed=speed, duration=lasts, trigger=trigger)
 
 
-def told_stop(event: Event, who: str | None) -> Phase:
+def stated_stop(event: Event, who: str | None) -> Phase:
     """The phase of a stop for somebody, with the rate that is told, and how far before that one ego stands then."""
     room = next((q["low"] for q in event.quantities if q["dimension"] == "distance" and who), None)
     short = room if room and SHORT_OF.search(event.text) else None

@@ -7,12 +7,12 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.what.event import Event
-from c2s_engine.interpret.what.limits_told import LimitTold
+from c2s_engine.interpret.what.stated_limits import StatedLimit
 from c2s_engine.structure.specs import Condition, EgoSpec, Limit, RestrictionsSpec
 
 
 @cache
-def _said() -> dict[str, re.Pattern[str]]:
+def _end_patterns() -> dict[str, re.Pattern[str]]:
     data = language.table("endings")
     named = {name: re.compile(data[name]) for name in ("collision", "denied", "stopped", "travelled")}
     lasts = "|".join(language.filled(find, data["words"]) for find in data["lasts"])
@@ -25,20 +25,20 @@ def restrictions(scene: Scene, ids: dict[Entity, str], ego: EgoSpec) -> Restrict
     for start, end in scene.endings:
         text = scene.plain[start:end]
         events = [e for e in scene.clauses.events if start <= scene.words[e.word].start < end]
-        hit = _said()["collision"].search(text)
-        if hit is not None and _said()["denied"].search(text[: hit.start()]) is None:
+        hit = _end_patterns()["collision"].search(text)
+        if hit is not None and _end_patterns()["denied"].search(text[: hit.start()]) is None:
             found += _collision(scene, ids, events, start, end)
-        _said()["stopped"].search(text)
+        _end_patterns()["stopped"].search(text)
     limits = tuple(limit for _, limit in limits_of(scene, ids))
     return RestrictionsSpec(limits=limits, terminate_when=tuple(found), duration=None)  # type: ignore[arg-type]
 
 
-def limits_of(scene: Scene, ids: dict[Entity, str]) -> list[tuple[LimitTold, Limit]]:
+def limits_of(scene: Scene, ids: dict[Entity, str]) -> list[tuple[StatedLimit, Limit]]:
     """The bounds on those who are in the scene, as told and as T has them."""
     return [(told, limit) for told in scene.limits if (limit := _limit(told, ids)) is not None]
 
 
-def _limit(told: LimitTold, ids: dict[Entity, str]) -> Limit | None:
+def _limit(told: StatedLimit, ids: dict[Entity, str]) -> Limit | None:
     """The bound for who is in the scene; of what is told of somebody else, none."""
     subject = "ego" if told.subject.ego else ids.get(told.subject)
     if subject is None:

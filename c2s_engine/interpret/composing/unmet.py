@@ -10,7 +10,7 @@ from c2s_engine.interpret.scene import Scene
 from c2s_engine.structure.components import Unmet
 
 
-class Untold(NamedTuple):
+class UnmetNote(NamedTuple):
     """Something that no spec can say: whose it is (an entity, or a component's id) and the note on it."""
 
     owner: Entity | str
@@ -22,21 +22,21 @@ def _patterns() -> list[tuple[re.Pattern[str], str, str]]:
     return [(re.compile(p["find"]), p["about"], p["reason"]) for p in language.table("unmet")["patterns"]]
 
 
-def find(scene: Scene) -> list[Untold]:
+def find(scene: Scene) -> list[UnmetNote]:
     """All of it, in the order of the text; at most twelve notes."""
-    found: list[Untold] = []
+    found: list[UnmetNote] = []
     taken: list[tuple[int, int]] = []
     for pattern, about, reason in _patterns():
         for match in pattern.finditer(scene.plain):
-            owner: Entity | str = _whose(scene, match.start()) if about == "actor" else about
+            owner: Entity | str = _nearest_road_user(scene, match.start()) if about == "actor" else about
             taken.append(match.span())
             text = scene.text[match.start() : match.end()].strip()
-            found.append(Untold(owner, Unmet(text=text, reason=reason, span=match.span())))
+            found.append(UnmetNote(owner, Unmet(text=text, reason=reason, span=match.span())))
     found.sort(key=lambda u: u.note.span or (0, 0))
     return found[:12]
 
 
-def _whose(scene: Scene, start: int) -> Entity:
+def _nearest_road_user(scene: Scene, start: int) -> Entity:
     """The road user that a place in the text is about: the one named last before it in its sentence, else the next."""
     number = next((w.sentence for w in scene.words if w.end > start), None)
     near = [i for i in sorted(scene.cast.of) if scene.words[i].sentence == number]

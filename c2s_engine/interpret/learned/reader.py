@@ -13,7 +13,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from c2s_engine.interpret import typologies
-from c2s_engine.interpret.accounting import accounted_as_read
+from c2s_engine.interpret.accounting import accounted_for_given_structure
 from c2s_engine.interpret.composing import unmet
 from c2s_engine.interpret.embedded import Understood, faults, understood
 from c2s_engine.interpret.entities import fits
@@ -113,7 +113,7 @@ def reading(answer: str, found: Understood) -> Structure | None:
     pairs = [(found.structure[_id(theirs[e])], cid) for e, cid in scene.ids.items() if e in theirs]
     structure = described(_with_rates(structure, [(own, _id(cid)) for own, cid in pairs]))
     structure = _with_others(scene, _with_untold(found, structure))
-    structure = accounted_as_read(scene, structure, found.mended.text)
+    structure = accounted_for_given_structure(scene, structure, found.mended.text)
     for component in structure.components:
         if component.id in components and not component.links:
             links = link(structure.text, component.description)

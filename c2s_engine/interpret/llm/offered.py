@@ -42,7 +42,7 @@ def _taken(properties: dict[str, Any], choices: dict[str, list[str]]) -> bool:
     return all(set(taking) & set(properties.get(name, {}).get("enum", ())) for name, taking in choices.items())
 
 
-def untaken(value: dict[str, Any], within: str = "form") -> list[str]:
+def pop_inapplicable_fields(value: dict[str, Any], within: str = "form") -> list[str]:
     """Take out of an answer the fields that its own choice beside them does not take; what they said, in words."""
     left: list[str] = []
     for name, needed in table()["fields"].get(within, {}).items():
@@ -52,7 +52,7 @@ def untaken(value: dict[str, Any], within: str = "form") -> list[str]:
     for name, inner in value.items():
         for item in inner if isinstance(inner, list) else [inner]:
             if isinstance(item, dict):
-                left += untaken(item, name)
+                left += pop_inapplicable_fields(item, name)
     return left
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any, get_args
 
 from c2s_engine.interpret import turn as embedded_turn
-from c2s_engine.interpret.llm import fallback, spoken
+from c2s_engine.interpret.llm import fallback, rendered_sentences
 from c2s_engine.interpret.llm.asking import Asker, OnEvent, prompt
 from c2s_engine.interpret.llm.components import ObjectSentence, Sentences
 from c2s_engine.interpret.llm.schema import limits
@@ -136,7 +136,7 @@ async def _edits(
             added = ObjectSpec(type=change.get("type", "car"), name=change.get("type", "car"))
             structure = apply(structure, AddObject(spec=added, description=sentence, component=cid))
             spec, unmet = await reader.spec(cid, sentence, structure)
-            made, unmet = _told(cid, sentence, spec, unmet, structure)
+            made, unmet = _rendered_sentence(cid, sentence, spec, unmet, structure)
             edit: Edit = AddObject(spec=spec, description=made, component=cid)
             said.append(f"{cid} added: {sentence}")
         elif change["do"] == "remove" and cid.startswith("O"):
@@ -146,7 +146,7 @@ async def _edits(
         else:
             kept = change["do"] == "change"
             spec, unmet = (await reader.spec(cid, sentence, structure)) if kept else (SPEC_OF[cid[0]](), ())
-            made, unmet = _told(cid, sentence, spec, unmet, structure) if kept else ("", ())
+            made, unmet = _rendered_sentence(cid, sentence, spec, unmet, structure) if kept else ("", ())
             edit = SetSpec(component=cid, spec=spec, description=made, assumed=(), unmet=unmet)
             said.append(f"{cid}: {sentence}" if kept else f"{cid}: nothing is said of it any more")
             structure = apply(structure, edit)
@@ -154,12 +154,12 @@ async def _edits(
     return edits, said
 
 
-def _told(
+def _rendered_sentence(
     cid: str, sentence: str, spec: AnySpec, unmet: tuple[Unmet, ...], structure: Structure
 ) -> tuple[str, tuple[Unmet, ...]]:
     """The sentence of a spec that was written for a component, and what it lost of the one that was asked for."""
     component = structure[cid].model_copy(update={"spec": spec, "unmet": unmet})
-    found = spoken.told(structure.with_component(component), {cid: sentence})[cid]
+    found = rendered_sentences.with_rendered_sentences(structure.with_component(component), {cid: sentence})[cid]
     return found.description, found.unmet
 
 

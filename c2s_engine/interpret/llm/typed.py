@@ -9,11 +9,11 @@ from typing import Any, Protocol
 
 from pydantic import BaseModel, ConfigDict
 
-from c2s_engine.interpret.llm import fallback, spoken, words
+from c2s_engine.interpret.llm import fallback, rendered_sentences, words
 from c2s_engine.interpret.llm.asking import Asker, OnEvent, prompt
 from c2s_engine.interpret.llm.components import Sentences, excerpt, link, read_components
 from c2s_engine.interpret.llm.forms import form_of
-from c2s_engine.interpret.llm.offered import asks, untaken
+from c2s_engine.interpret.llm.offered import asks, pop_inapplicable_fields
 from c2s_engine.interpret.llm.schema import spec_class
 from c2s_engine.interpret.llm.settings import BLUEPRINT, Detected, detect
 from c2s_engine.interpret.llm.units import annotate
@@ -106,7 +106,7 @@ class TypedReader:
         )  # fmt: skip
         structure = fallback.in_order(fallback.distinct_names(structure))
         said = {cid: sentences.of(cid) for cid in sentences.ids}
-        return self._done(spoken.told(structure, said), fallbacks)
+        return self._done(rendered_sentences.with_rendered_sentences(structure, said), fallbacks)
 
     def _done(self, structure: Structure, fallbacks: dict[str, str]) -> Reading:
         notes: tuple[str, ...] = ()
@@ -176,7 +176,8 @@ def _builder(cid: str, still: bool = False) -> Callable[[dict[str, Any]], tuple[
         if still and not words.is_thing(value["type"]):
             value["speed"] = 0
         unmet: tuple[Unmet, ...] = (Unmet(text=left, reason="the form has no field for it"),) if left.strip() else ()
-        unmet += tuple(Unmet(text=said, reason="what it stands beside does not take it") for said in untaken(value))
+        misplaced = pop_inapplicable_fields(value)
+        unmet += tuple(Unmet(text=said, reason="the field it belongs to cannot hold it") for said in misplaced)
         return spec_class(cid[0]).model_validate(value), unmet  # type: ignore[return-value]
 
     return build

@@ -6,7 +6,7 @@ from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.scene import Scene
 
 
-def told_of(scene: Scene, entity: Entity) -> str:
+def position_text(scene: Scene, entity: Entity) -> str:
     """What is said of one's place, and the clauses of what it does."""
     return " ; ".join([*(t for _, t in scene.where(entity).phrases), *(e.whole for e in scene.events(entity))])
 
@@ -67,7 +67,7 @@ def _met_there(scene: Scene, entity: Entity) -> list[str]:
     return [*met, *(e.whole for e in scene.events(entity) if e.act in ("approach", "travel", "stationary"))]
 
 
-def told_along(scene: Scene, entity: Entity) -> str | None:
+def along_from_events(scene: Scene, entity: Entity) -> str | None:
     """Where along the road one in another lane is, by what happens: behind where it gains, beside where ego hits it
     while it changes lanes."""
     if passes_ego(scene, entity):

@@ -3,7 +3,7 @@
 import re
 
 from c2s_engine.interpret.placing.compass import roadside
-from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, at_edge, passes_ego, told_of, wrong_way
+from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, at_edge, passes_ego, position_text, wrong_way
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.scene import side as move_side
 from c2s_engine.interpret.what.towards import OPPOSITE
@@ -13,7 +13,7 @@ from c2s_engine.structure.specs import PlaceSpec
 
 
 def person(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:
-    if entity.type == "bicycle" and place.kind == "roundabout" and CIRCULATES.search(told_of(scene, entity)):
+    if entity.type == "bicycle" and place.kind == "roundabout" and CIRCULATES.search(position_text(scene, entity)):
         return {"position": "crossing_left", "said": True}
     passing = scene.does(entity, "overtake")
     by = where.side or side_of_text(passing.whole) if passing is not None else None

@@ -1,7 +1,7 @@
 """Where an object starts: position, side, gap, what hides it."""
 
 from c2s_engine.interpret.placing.people import person
-from c2s_engine.interpret.placing.told_gaps import gap_of
+from c2s_engine.interpret.placing.stated_gaps import gap_of
 from c2s_engine.interpret.placing.vehicles import vehicle
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.where.relations import Where, side_of_text

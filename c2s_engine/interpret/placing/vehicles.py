@@ -6,7 +6,14 @@ from c2s_engine.interpret.entities import URGENT
 from c2s_engine.interpret.placing.arms import waits_beside
 from c2s_engine.interpret.placing.compass import compass, roadside
 from c2s_engine.interpret.placing.implied_starts import implied_start
-from c2s_engine.interpret.placing.lengthwise import CIRCULATES, along_of, passes_ego, told_along, told_of, wrong_way
+from c2s_engine.interpret.placing.lengthwise import (
+    CIRCULATES,
+    along_from_events,
+    along_of,
+    passes_ego,
+    position_text,
+    wrong_way,
+)
 from c2s_engine.interpret.scene import Scene, side
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.what.overtakings import PART
@@ -26,17 +33,17 @@ ON_SIDE = re.compile(
 def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: PlaceSpec) -> dict:
     if wrong_way(scene, entity):
         return facing_ego(where, place)
-    if place.kind == "roundabout" and CIRCULATES.search(told_of(scene, entity)):
+    if place.kind == "roundabout" and CIRCULATES.search(position_text(scene, entity)):
         return {"position": "crossing_left", "said": True}
     if place.kind == "roundabout" and _enters_before_ego(scene, entity):
         return {"position": "crossing_right", "said": True}
     junction = place.kind == "intersection"
     lane, rel, edge = where.lane, where.rel, where.side
-    if lane in (None, "same") and (where.of is None or where.of.ego) and MIDDLE.search(told_of(scene, entity)):
+    if lane in (None, "same") and (where.of is None or where.of.ego) and MIDDLE.search(position_text(scene, entity)):
         lane = {"leftmost": "right", "rightmost": "left"}.get(place.ego_lane or "", lane)
     if rel is not None and passes_ego(scene, entity):
         rel = "behind"  # where it comes to be is said with the same words
-    if rel == "beside" and where.of is None and _met(scene, entity) == "ahead":
+    if rel == "beside" and where.of is None and _ahead_if_approached(scene, entity) == "ahead":
         rel, lane = "ahead", "same"  # beside another, but ego comes up behind it
     if lane == "oncoming" and rel == "behind" and "oncoming" not in entity.roles:
         lane = None  # the side on which it passes
@@ -88,7 +95,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
         same = {"leftmost": "left", "rightmost": "right"}.get(place.ego_lane or "")
         own = where.of is None or where.of.ego and not re.search(rf"lane (?:to|on|of)\b|@ego 's {lane}", text)
         if same == lane and own and re.search(rf"({lane}(-hand|most)?|that( very)?|this|same) lane", text):
-            rel = rel if rel in ("behind", "ahead") else _met(scene, entity)
+            rel = rel if rel in ("behind", "ahead") else _ahead_if_approached(scene, entity)
             if rel is None and not {"cut_in", "lane_change"} & set(acts):  # no lane lies beyond ego's
                 rel = "ahead"
             if rel is not None:
@@ -97,7 +104,7 @@ def vehicle(scene: Scene, entity: Entity, where: Where, acts: list[str], place: 
             rel = "beside"
         return {
             "position": f"{lane}_lane",
-            "along": along_of(rel or told_along(scene, entity)),
+            "along": along_of(rel or along_from_events(scene, entity)),
             "said": True,
         }
     if junction and place.manoeuvre in ("left", "right") and (acts == ["stationary"] or "stationary" in roles):
@@ -184,7 +191,7 @@ def facing_ego(where: Where, place: PlaceSpec) -> dict:
     return {"position": f"{lane}_lane", "along": "ahead", "facing": "against", "said": True}
 
 
-def _met(scene: Scene, entity: Entity) -> str | None:
+def _ahead_if_approached(scene: Scene, entity: Entity) -> str | None:
     """Ahead, where ego approaches or follows it."""
     met = any(e.patient is entity and e.act in ("approach", "follow", "held_up") for e in scene.events(scene.cast.ego))
     return "ahead" if met else None

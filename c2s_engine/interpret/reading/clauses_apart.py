@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import MOVERS
-from c2s_engine.interpret.reading.hanging import hang
 from c2s_engine.interpret.reading.motions import past_forms
+from c2s_engine.interpret.reading.tree_edits import attach
 from c2s_engine.interpret.spans import names_one
 
 if TYPE_CHECKING:
@@ -27,12 +27,12 @@ OWN = frozenset(("its", "his", "her", "their", "my", "our"))
 
 
 def divide(words: list[Word]) -> None:
-    """Give each such verb the subject right before it, and hang it beside the verb of the clause before."""
+    """Give each such verb the subject right before it, and attach it beside the verb of the clause before."""
     for verb in words:
         if (who := _behind_relative(words, verb)) is not None:
             _make_main(words, who, verb)
         if (main := _main_of_relative(words, verb)) is not None:
-            hang(words, verb, main, "conj")
+            attach(words, verb, main, "conj")
         first = _first_noun(words, verb)
         if first is None:
             continue
@@ -40,9 +40,9 @@ def divide(words: list[Word]) -> None:
         above = _above(words, beside, verb)
         if above is None:
             continue
-        hang(words, verb, above, "conj")
-        hang(words, noun, verb, _relation(words, verb))
-        hang(words, join, above, "cc")
+        attach(words, verb, above, "conj")
+        attach(words, noun, verb, _relation(words, verb))
+        attach(words, join, above, "cc")
         verb.tag = "VBD" if verb.tag == "VBN" and noun.dep == "nsubj" else verb.tag
 
 
@@ -86,7 +86,7 @@ def _make_main(words: list[Word], who: Word, verb: Word) -> None:
     """Make a verb the head of its sentence, with that subject and with the verbs that go on with it."""
     words[verb.head].children.remove(verb.i)
     verb.head, verb.dep, verb.tag = verb.i, "ROOT", "VBD"
-    hang(words, who, verb, "nsubj")
+    attach(words, who, verb, "nsubj")
 
 
 def _main_of_relative(words: list[Word], verb: Word) -> Word | None:

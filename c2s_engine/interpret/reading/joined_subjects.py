@@ -11,12 +11,12 @@ if TYPE_CHECKING:
 HIT = frozenset(("hit", "struck", "clipped", "rammed", "rear-ended", "killed", "injured", "overtaken"))
 
 
-def own_subject(words: list[Word], verb: Word) -> None:
+def restore_joined_subject(words: list[Word], verb: Word) -> None:
     """Give a verb the subject that is its own."""
-    suffer(words, verb)
+    mark_passive_participle(words, verb)
 
 
-def suffer(words: list[Word], verb: Word) -> None:
+def mark_passive_participle(words: list[Word], verb: Word) -> None:
     """Make a form before "by" a participle in notes without articles: "pedestrian hit by front left corner"."""
     bare = not any(words[c].dep in ("aux", "auxpass", "dobj") for c in verb.children)
     by = words[verb.i + 1] if verb.i + 1 < len(words) else verb

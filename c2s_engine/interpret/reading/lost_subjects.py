@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from c2s_engine.interpret.reading.hanging import hang, road_user
+from c2s_engine.interpret.reading.tree_edits import attach, road_user
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
@@ -19,9 +19,9 @@ def find_subject(words: list[Word], word: Word) -> None:
     if (before := _subject_on_time(words, word)) is not None:
         if before.dep == "pobj" and words[before.head].norm in CONJUNCTIONS:
             mark = words[before.head]
-            hang(words, mark, word)
+            attach(words, mark, word)
             mark.dep = "mark"  # "starts accelerating as a pedestrian crosses"
-        hang(words, before, word)
+        attach(words, before, word)
         before.dep = "nsubj"
     _between_two(words, word)
     if word.verb:
@@ -53,7 +53,7 @@ def _between_two(words: list[Word], verb: Word) -> None:
     prep = next((words[c] for c in subjects[0].children if words[c].norm == "between"), None)
     first = next((words[c] for c in prep.children if words[c].dep == "pobj"), None) if prep is not None else None
     if first is not None:
-        hang(words, subjects[1], first)
+        attach(words, subjects[1], first)
         subjects[1].dep = "conj"
 
 
@@ -68,5 +68,5 @@ def _listed(words: list[Word], verb: Word) -> None:
     cut = words[opens - 1].norm == "," and words[opens].norm in ("a", "an", "one", "another", "two", "three")
     joined = any(words[c].dep == "cc" for c in second.children)
     if cut and (joined or words[verb.i - 1].norm == "," or words[verb.i - 2].norm == ","):
-        hang(words, second, first)
+        attach(words, second, first)
         first.dep, second.dep = "nsubj", "conj" if joined else "appos"

@@ -6,10 +6,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.reading.astray import bring_home
-from c2s_engine.interpret.reading.hanging import hang, road_user
-from c2s_engine.interpret.reading.joined_subjects import own_subject
+from c2s_engine.interpret.reading.joined_subjects import restore_joined_subject
 from c2s_engine.interpret.reading.lost_subjects import find_subject
+from c2s_engine.interpret.reading.misattached_phrases import reattach_phrase
+from c2s_engine.interpret.reading.tree_edits import attach, road_user
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
@@ -20,9 +20,9 @@ TOWED, SEES, WAITS = language.with_plurals("towed"), language.words("notices"), 
 def reattach(words: list[Word]) -> None:
     """Hang each such verb where it belongs."""
     for word in words:
-        own_subject(words, word)
+        restore_joined_subject(words, word)
         find_subject(words, word)
-        bring_home(words, word)
+        reattach_phrase(words, word)
         _by_which(words, word)
         _two_subjects(words, word)
 
@@ -37,8 +37,8 @@ def _by_which(words: list[Word], using: Word) -> None:
         return
     if using.dep == "acl" or noun.i in using.children and verb.verb:
         if using.dep == "ccomp":
-            hang(words, noun, verb, "dobj")
-        hang(words, using, verb, "advcl")
+            attach(words, noun, verb, "dobj")
+        attach(words, using, verb, "advcl")
 
 
 def _two_subjects(words: list[Word], verb: Word) -> None:
@@ -50,4 +50,4 @@ def _two_subjects(words: list[Word], verb: Word) -> None:
     start = min([second.i, *(c for c in second.children if c < second.i)])
     inner = any(w.tag in ("VBZ", "VBD", "VBP", "MD") for w in words[first.i : verb.i])
     if words[start - 1].norm in ("and", "or", "nor") and words[start - 1].head in (first.i, verb.i) and not inner:
-        hang(words, second, first, "conj")
+        attach(words, second, first, "conj")

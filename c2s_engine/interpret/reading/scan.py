@@ -6,8 +6,8 @@ import re
 from functools import cache
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.reading.askers import asked
 from c2s_engine.interpret.reading.makes import MAKE, ridden, stands_for_a_vehicle
+from c2s_engine.interpret.reading.narrators import asked
 from c2s_engine.interpret.reading.parties import short_labels
 from c2s_engine.interpret.spans import Span
 

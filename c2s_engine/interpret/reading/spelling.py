@@ -11,7 +11,7 @@ from c2s_engine.interpret.reading.rewritten import Replacement, Rewritten
 WORD = re.compile(r"[A-Za-z]{4,}(?!['’]t\b)(?![A-Za-z])")
 
 
-class Mended:
+class NormalisedText:
     """A text read in full words: shorthand spelt out, misspellings mended; `back` maps an offset to the user's text.
     Of a scene, what it is said not to need is left out."""
 
@@ -115,7 +115,7 @@ def nearest(word: str) -> str | None:
             continue
         if len(word) < 8 and len(other) == len(word) and sorted(other) != sorted(word) and other not in common:
             continue
-        distance = slips(word, other, allowed)
+        distance = edit_distance(word, other, allowed)
         if distance <= allowed:
             best.append((distance, other))
     best.sort()
@@ -127,7 +127,7 @@ def nearest(word: str) -> str | None:
     return best[0][1]
 
 
-def slips(a: str, b: str, limit: int) -> int:
+def edit_distance(a: str, b: str, limit: int) -> int:
     """Edit distance with transpositions; `limit` + 1 where it is larger."""
     before: list[int] = []
     last = list(range(len(b) + 1))

@@ -9,10 +9,10 @@ from functools import cache
 from typing import Any
 
 from c2s_engine.interpret.reading import apart
+from c2s_engine.interpret.reading.action_attachment import attach_actions, hold_children
 from c2s_engine.interpret.reading.clauses_apart import divide
-from c2s_engine.interpret.reading.deeds import hang, hold_children
 from c2s_engine.interpret.reading.fragments import participles_of_named, verbs_of_named
-from c2s_engine.interpret.reading.mistaken import mistaken
+from c2s_engine.interpret.reading.mistagged_verbs import mistagged_verbs
 from c2s_engine.interpret.reading.motions import base_form, participles, past_forms
 from c2s_engine.interpret.reading.proxies import pieces_of
 from c2s_engine.interpret.reading.reattached import reattach
@@ -73,7 +73,7 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
     docs = list(nlp.pipe([Doc(nlp.vocab, words=[pieces[number][i][0] for i in part]) for number, part in parts]))
     again = {}
     for at, ((number, part), doc) in enumerate(zip(parts, docs, strict=True)):
-        verbs = mistaken(doc, [pieces[number][i] for i in part], plain)
+        verbs = mistagged_verbs(doc, [pieces[number][i] for i in part], plain)
         if verbs:
             again[at] = Doc(nlp.vocab, words=[verbs.get(t.i, t.text) for t in doc])
     for at, doc in zip(again, nlp.pipe(again.values()), strict=True):
@@ -110,7 +110,7 @@ def parse(text: str, plain: str, sentences: list[tuple[int, int]], spans: list[S
         sentence = [w for w in words if w.sentence == number]
         doing += participles_of_named(words, sentence)
         named += verbs_of_named(words, sentence)
-    hang(words, doing, made, named)
+    attach_actions(words, doing, made, named)
     divide(words)
     reattach(words)
     return words

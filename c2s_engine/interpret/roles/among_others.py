@@ -4,7 +4,7 @@ from c2s_engine.interpret.what.clauses import Clauses
 from c2s_engine.interpret.who.mentions import Entity
 
 
-def who_is_led(leader: Entity, candidates: list[Entity], clauses: Clauses) -> Entity:
+def trailing_vehicle(leader: Entity, candidates: list[Entity], clauses: Clauses) -> Entity:
     """Who drives behind one that brakes, where it only follows: "a van, followed by a car, brakes"."""
     brakes = any(v.agent is leader and v.done and v.act in ("brake", "stop", "brake_stop") for v in clauses.events)
     done = [v for v in clauses.events if v.done]
@@ -15,7 +15,7 @@ def who_is_led(leader: Entity, candidates: list[Entity], clauses: Clauses) -> En
     return found[0] if brakes and found else leader
 
 
-def who_met_it(passive: Entity, candidates: list[Entity], clauses: Clauses) -> Entity:
+def active_counterpart(passive: Entity, candidates: list[Entity], clauses: Clauses) -> Entity:
     """Who overtakes or follows one that does nothing itself, though that is told first ("while overtaking a tractor, a
     Golf hit a Corsa"), or hits another ("a child crossed behind a van. The car that hit him ...")."""
     met = (v for v in clauses.events if v.act in ("overtake", "follow", "approach") and v.patient is passive)

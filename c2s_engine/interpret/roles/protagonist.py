@@ -4,7 +4,7 @@ import re
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import URGENT
-from c2s_engine.interpret.roles.among_others import who_is_led, who_met_it
+from c2s_engine.interpret.roles.among_others import active_counterpart, trailing_vehicle
 from c2s_engine.interpret.roles.aside import beside_nobody, from_aside
 from c2s_engine.interpret.roles.bare import ROLE_WORDS, bare_first
 from c2s_engine.interpret.what.clauses import Clauses
@@ -124,8 +124,8 @@ def choose_ego(cast: Cast, clauses: Clauses) -> None:
     ]:
         candidates = generic
     best = next((e for e in candidates if "following" in e.roles), candidates[0])
-    best = best if acting.get(best) else who_met_it(best, candidates, clauses)
-    best = who_is_led(best, [e for e in vehicles if not e.roles & ROLE_WORDS], clauses)
+    best = best if acting.get(best) else active_counterpart(best, candidates, clauses)
+    best = trailing_vehicle(best, [e for e in vehicles if not e.roles & ROLE_WORDS], clauses)
     plain = " ".join(w.norm for w in cast.words)
     implied = re.search(
         r"\b(coming|comes) (the other way|towards)|(?<!\bno )\boncoming\b|opposite (direction|lane)|other direction",

@@ -18,7 +18,7 @@ def named_before(scene: Scene, span: Span) -> list[Entity]:
     return [scene.cast.of[i] for i in sorted(scene.cast.of) if scene.words[i].start < span.start]
 
 
-def whose_own(scene: Scene, near: str) -> Entity | None:
+def explicit_owner(scene: Scene, near: str) -> Entity | None:
     """Whose speed the words right before it name, as a noun of somebody's or as that of a walk."""
     said = OWN_SPEED.search(near)
     if said is None:

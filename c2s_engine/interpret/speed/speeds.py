@@ -5,7 +5,7 @@ import re
 from c2s_engine.interpret.reading import scan
 from c2s_engine.interpret.scene import Scene
 from c2s_engine.interpret.speed.comparisons import compared_speeds, is_difference
-from c2s_engine.interpret.speed.owners import named_before, whose_own
+from c2s_engine.interpret.speed.owners import explicit_owner, named_before
 from c2s_engine.interpret.speed.ratios import speeds_by_ratio
 from c2s_engine.interpret.what.event import Event
 from c2s_engine.interpret.who.mentions import VEHICLES, Entity
@@ -148,7 +148,7 @@ def _had_by_then(scene: Scene, event: Event) -> bool:
 def _before(scene: Scene, span: scan.Span) -> Entity | None:
     """The owner that stands before a speed in the same stretch between commas, where the verb's subject comes later."""
     near = scene.plain[max(0, span.start - 60) : span.start]
-    if (whose := whose_own(scene, near)) is not None:
+    if (whose := explicit_owner(scene, near)) is not None:
         return whose
     NAMED.search(near)
     if re.search(

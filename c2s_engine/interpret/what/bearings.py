@@ -134,13 +134,13 @@ def against_the_traffic(clauses: Clauses) -> None:
         own = heading(clauses, event.agent) if lanes else None
         if lanes and own is not None and (COMPASS[lanes["way"]] - own) % 360 == 180 and not lanes[0].startswith("in "):
             event.act, event.side, event.patient = "oncoming", "left", None
-    _out_into_one_who_comes(clauses)
+    _pulls_out_into_oncoming(clauses)
 
 
 TURNS = frozenset(("turn", "u_turn", "oncoming", "lane_change"))
 
 
-def _out_into_one_who_comes(clauses: Clauses) -> None:
+def _pulls_out_into_oncoming(clauses: Clauses) -> None:
     """Who pulls out and then meets one that drives the other way was in its lane: "pulled out and struck V2"."""
     for blow in [e for e in clauses.events if e.act == "collide" and e.done and e.patient is not None]:
         one, other = heading(clauses, blow.agent), heading(clauses, blow.patient) if blow.patient else None

@@ -46,7 +46,7 @@ class Clauses(Deverbal):
         self.deeds: set[int] = set()  # who does what a noun tells
         self.dangling: set[int] = set()
         for word in words:
-            if not self._deed(word) and not cast.tows(word) and self._is_verb(word):
+            if not self._reads_motion_noun(word) and not cast.tows(word) and self._is_verb(word):
                 self._verb(word)
         for word in words:
             if word.tag.startswith("NN") or word.tag == "VBG":

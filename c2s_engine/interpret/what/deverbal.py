@@ -21,7 +21,7 @@ class Deverbal(Nominal):
 
     deeds: set[int]
 
-    def _deed(self, word: Word) -> bool:
+    def _reads_motion_noun(self, word: Word) -> bool:
         """Whether a noun of motion told what somebody does, as its verb would."""
         verb = self._its_verb(word)
         completes = word.dep == "dobj" and any(self.words[c].tag == "PRP$" for c in word.children)

@@ -32,7 +32,7 @@ def _at_a_light(told: str) -> bool:
     return bool(re.search(r"\bred\b|traffic (light|signal)|\b(at|for) (the|a|its) (light|signal)", told))
 
 
-def rules_of_sense(cast: Cast, clauses: Clauses, road: Road) -> None:
+def resolve_across_clauses(cast: Cast, clauses: Clauses, road: Road) -> None:
     """What single clauses cannot tell: a stop that is denied before a stop sign, a pass that is waited for."""
     by_means(cast, clauses)
     unheeded(clauses)

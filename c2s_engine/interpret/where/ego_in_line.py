@@ -85,7 +85,7 @@ def _number(group: Entity, cast: Cast) -> tuple[int, int] | None:
         return None
     first = cast.words[group.mentions[0].word].sentence
     for number in sorted({w.sentence for w in cast.words if w.sentence >= first}):
-        text = _told(cast, number)
+        text = _sentence_with_keys(cast, number)
         match = next((m for p in PATTERNS if (m := p.search(text))), None)
         if match is not None:
             place = NUMBERS[match["n"]]
@@ -94,7 +94,7 @@ def _number(group: Entity, cast: Cast) -> tuple[int, int] | None:
     return None
 
 
-def _told(cast: Cast, number: int) -> str:
+def _sentence_with_keys(cast: Cast, number: int) -> str:
     """A sentence with ego and the others by their keys."""
     words = [w for w in cast.words if w.sentence == number]
     return " ".join(f"@{cast.of[w.i].key}" if w.i in cast.of and w.norm not in NUMBERS else w.norm for w in words)

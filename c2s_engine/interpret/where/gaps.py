@@ -25,7 +25,7 @@ class Gaps:
         stops = [e for e in self.clauses.events if e.agent.ego and e.act in ("stop", "brake_stop")]
         return {q["start"] for e in stops for q in e.quantities}
 
-    def _whose(self, i: int) -> Entity | None:
+    def _gap_owner(self, i: int) -> Entity | None:
         """Whose place a distance tells: the noun that it stands under, if it is one of the others."""
         word = self.words[i]
         for _ in range(4):
@@ -41,7 +41,7 @@ class Gaps:
             return
         text, stops = self.clauses.render(indices), self._stops()
         for quantity in self.clauses._quantities(indices):
-            whose = self._whose(quantity["word"]) if entity is not None else None
+            whose = self._gap_owner(quantity["word"]) if entity is not None else None
             if whose is not None and whose is not entity and not whose.ego:
                 continue
             before = " ".join(w.norm for w in self.words[max(0, quantity["word"] - 5) : quantity["word"]])

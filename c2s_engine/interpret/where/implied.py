@@ -14,7 +14,7 @@ from c2s_engine.interpret.where.implied_lanes import (
     hit_beside,
     in_from,
     in_from_aside,
-    into_whose_lane,
+    into_ego_lane,
     sideswipes,
     unseen,
 )
@@ -54,7 +54,7 @@ def implied_places(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> Non
         elif event.done and event.act == "collide" and event.agent in of:
             sideswipes(event, clauses, of)
         elif event.done and event.act in ("lane_change", "drift", "swerve") and event.agent in of:
-            into_whose_lane(event, of)
+            into_ego_lane(event, of)
         elif event.done and event.act == "follow" and event.patient in of:
             _behind_whom_it_follows(event, clauses, of)
         elif (

@@ -81,7 +81,7 @@ def unseen(event: Event, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) 
     of[other].lane, of[other].side, of[other].rel = towards, towards, "beside"
 
 
-def into_whose_lane(event: Event, of: dict[Entity, Where]) -> None:
+def into_ego_lane(event: Event, of: dict[Entity, Where]) -> None:
     """One who comes into the lane "where ego is travelling" was in the lane beside and cuts in."""
     if INTO_EGO_LANE.search(event.text) and event.act in ("lane_change", "drift"):
         _comes_in(event, of[event.agent])

@@ -46,7 +46,7 @@ def number_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str |
     numbers: dict[Entity, int] = {}
     ordinal = False
     for entity in (cast.ego, *cast.entities):
-        for text in _told(entity, cast, clauses, of):
+        for text in _position_texts(entity, cast, clauses, of):
             match = NUMBERED.search(text)
             if match and ("lane" in match[0] or match["o"]) and entity not in numbers:
                 numbers[entity] = lanes.counted(match["n"] or match["o"])
@@ -68,7 +68,7 @@ def number_lanes(cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> str |
     return _named(own, total, rightwards)
 
 
-def _told(entity: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> list[str]:
+def _position_texts(entity: Entity, cast: Cast, clauses: Clauses, of: dict[Entity, Where]) -> list[str]:
     """What is said of where one is: its clauses, its phrases, and the words after it."""
     acts = STATES | {"lane_change", "keep_lane"}
     texts = [e.whole for e in clauses.events if e.agent is entity and e.act in acts]

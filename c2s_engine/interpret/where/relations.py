@@ -15,12 +15,12 @@ from c2s_engine.interpret.where.accompanied import WITH_ANOTHER, accompanied, wi
 from c2s_engine.interpret.where.both_in import both_in_lane
 from c2s_engine.interpret.where.closures import in_closed_lanes
 from c2s_engine.interpret.where.ego_in_line import ego_in_line
+from c2s_engine.interpret.where.entity_phrases import DIRECTED, PLACING, EntityPhrases
 from c2s_engine.interpret.where.groups import abreast, split_groups
 from c2s_engine.interpret.where.implied import implied_places
 from c2s_engine.interpret.where.implied_lanes import followed_lane
 from c2s_engine.interpret.where.inferred import Inferred
 from c2s_engine.interpret.where.lane_numbers import number_lanes
-from c2s_engine.interpret.where.own_words import DIRECTED, PLACING, OwnWords
 from c2s_engine.interpret.where.places_in import WHY, places_in
 from c2s_engine.interpret.where.ranked import ranked
 from c2s_engine.interpret.where.revealed import reveal
@@ -50,7 +50,7 @@ AND_ANOTHER = re.compile(r"(?:,? and (?:the |an? |another |one |two |some |three
 """Who else is there ("there is a van ahead and a cyclist in the right lane"), with a place of its own."""
 
 
-class Places(OwnWords, Inferred):
+class Places(EntityPhrases, Inferred):
     """The start relation of every entity."""
 
     def __init__(self, cast: Cast, clauses: Clauses) -> None:

@@ -66,7 +66,7 @@ class Members(Portions):
     def _hints(self, entity: Entity) -> set[str]:
         raise NotImplementedError
 
-    def _members_to_come(self) -> None:
+    def _cataphoric_member(self) -> None:
         """ "The second of the three cars", "two of the vans", where the group is named after its member."""
         counts = language.table("actors")["counts"]
         for word in self.words:

@@ -16,7 +16,7 @@ from c2s_engine.interpret.entities import (
     Mention,
     fits,
 )
-from c2s_engine.interpret.reading.askers import asked, narrator, told_by_others
+from c2s_engine.interpret.reading.narrators import asked, has_outside_narrator, narrator
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.labels import Labels
 
@@ -58,10 +58,10 @@ class Cast(Labels):
         )
         self.one_is_ego = self._label_is_ego()
         self._resolve()
-        self._members_to_come()
-        self._subjects_to_come()
-        self._both_to_come()
-        self._other_to_come()
+        self._cataphoric_member()
+        self._cataphoric_subject()
+        self._cataphoric_pair()
+        self._cataphoric_other()
         self._settle_riders()
 
     def _strong(self, word: Word) -> bool:
@@ -102,7 +102,7 @@ class Cast(Labels):
                 if word.dep in ("nsubj", "nsubjpass") or any(told(word) for told in (self._fronted, self._is_there)):
                     self.subjects.append((word.i, entity))
 
-    def _subjects_to_come(self) -> None:
+    def _cataphoric_subject(self) -> None:
         """ "As it was turning left, V1 was hit": a pronoun before anybody is named means who is named next."""
         for word in self.words:
             verb = self.words[word.head]
@@ -119,7 +119,7 @@ class Cast(Labels):
                 named.mentions.insert(0, Mention(word.i, word.start, word.end, kind="pronoun"))
                 self.subjects.insert(0, (word.i, named))
 
-    def _both_to_come(self) -> None:
+    def _cataphoric_pair(self) -> None:
         """ "Both vehicles shall be driven at 50 km/h", before ego and the one other vehicle are named."""
         first = next((e for e in self.entities if e.mentions), None)
         if first is None or first.count != 2 or first.noun not in ("vehicles", "cars"):
@@ -144,7 +144,7 @@ class Cast(Labels):
             self.of[mention.word] = self.ego
         self.subjects = [(i, others[0] if e is first else e) for i, e in self.subjects]
 
-    def _other_to_come(self) -> None:
+    def _cataphoric_other(self) -> None:
         """ "It hesitates when the other car was there first", before the one other vehicle is told of."""
         first = next((e for e in self.entities if e.mentions), None)
         if first is None or first.count != 1 or first.noun not in ("car", "vehicle") or first.roles or first.label:
@@ -193,7 +193,7 @@ class Cast(Labels):
 def _asking(words: list[Word]) -> frozenset[int]:
     """The words in which first persons are nobody on the road ("please write me a scene", "I saw it from here")."""
     whole = " ".join(w.norm for w in words)
-    if told_by_others(whole):
+    if has_outside_narrator(whole):
         return frozenset(w.i for w in words)
     found: set[int] = set()
     for number in {w.sentence for w in words}:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.wheel import AtWheel
+from c2s_engine.interpret.who.wheel import Occupants
 
 
-class Named(AtWheel):
+class Named(Occupants):
     """The part of Cast that knows people by their names."""
 
     def _by_name(self, word: Word) -> Entity | None:

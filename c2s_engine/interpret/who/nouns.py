@@ -7,14 +7,14 @@ import re
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import DEFINITE, MOTOR, MOVERS, ORDINALS, PERSONS, VEHICLES, ZONES, Entity, fits
 from c2s_engine.interpret.reading.syntax import Word
+from c2s_engine.interpret.who.absent_mentions import AbsentMentions
 from c2s_engine.interpret.who.attached import Attached
 from c2s_engine.interpret.who.counted import Counted
-from c2s_engine.interpret.who.not_there import NotThere
 from c2s_engine.interpret.who.persons import DRIVERS, PARTIES
 from c2s_engine.interpret.who.reference import BOUND, COLOURS
 
 
-class Nouns(Attached, NotThere, Counted):
+class Nouns(Attached, AbsentMentions, Counted):
     """The part of Cast that reads nouns."""
 
     def _apposed(self, word: Word) -> Entity | None:

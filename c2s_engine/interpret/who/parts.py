@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import PERSONS, VEHICLES, Entity
-from c2s_engine.interpret.who.strangers import Strangers
+from c2s_engine.interpret.who.unlisted_road_users import UnlistedRoadUsers
 
 DRIVING = language.words("driving")
 
@@ -12,7 +12,7 @@ AT_EGOS_WHEEL = language.words("systems") - {"stack"} | {"motorist", "driver", "
 """Who drives ego, where nobody else's is meant."""
 
 
-class Parts(Strangers):
+class Parts(UnlistedRoadUsers):
     """The part of Cast that finds whom a part belongs to."""
 
     ego: Entity

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.reading.syntax import Word
-from c2s_engine.interpret.who.theirs import Theirs
+from c2s_engine.interpret.who.possessives import Possessives
 
 SIDES = frozenset(("left", "right", "rear", "front", "side", "nearside", "offside"))
 LOOSE = frozenset(("debris", "box", "obstacle"))
@@ -19,7 +19,7 @@ ROOTED = frozenset(language.table("actors")["fixed"]) | {"tree", "trees"}
 """What no "it" that moves can mean."""
 
 
-class Pronouns(Theirs):
+class Pronouns(Possessives):
     """The part of Cast that resolves words without a noun of their own."""
 
     words: list[Word]

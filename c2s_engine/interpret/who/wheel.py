@@ -8,7 +8,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.entities import VEHICLES, Entity
 from c2s_engine.interpret.reading.syntax import Word
 from c2s_engine.interpret.who.reference import Reference
-from c2s_engine.interpret.who.strangers import WALKS
+from c2s_engine.interpret.who.unlisted_road_users import WALKS
 
 DRIVES = language.words("at_the_wheel")
 STEERS = language.words("steers")
@@ -34,7 +34,7 @@ LANE = re.compile(
 )
 
 
-class AtWheel(Reference):
+class Occupants(Reference):
     """The part of Cast that takes a driver or rider and the vehicle for one."""
 
     wheels: dict[int, Entity]  # the noun of a vehicle -> whom it carries, who was spoken of before

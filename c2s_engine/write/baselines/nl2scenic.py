@@ -89,7 +89,7 @@ def taken_apart(structure: Structure, program: str) -> Structure:
     ids = [p.id for p in parts]
     if not _in_order(ids) or not program.lstrip().startswith("## G"):
         parts, ids = [Fragment(id="E", sentence="The whole program.", code=program)], ["E"]
-    said = {p.id: refer.type_said(p.sentence) for p in parts if p.id.startswith("O")}
+    said = {p.id: refer.first_actor_type(p.sentence) for p in parts if p.id.startswith("O")}
     objects = tuple(Component(id=i, spec=ObjectSpec(name=f"object{i[1:]}", type=said[i])) for i in ids if i in said)
     structure = structure.model_copy(update={"objects": objects})
     for part in parts:

@@ -26,7 +26,7 @@ def light_of(structure: Structure) -> str | None:
     return told or ("green" if any(runs) else None)
 
 
-def told_nothing(structure: Structure) -> bool:
+def is_default_header(structure: Structure) -> bool:
     """Whether the header is the default one: then there is nothing to ask."""
     spec = structure.settings.spec
     default = SettingsSpec(map=spec.map if isinstance(spec, SettingsSpec) else None)

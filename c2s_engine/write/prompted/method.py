@@ -208,7 +208,7 @@ class PromptedMethod:
 
     def _unasked(self, structure: Structure, cid: ComponentId) -> str:
         """The code of a component of which nothing is said: the default header, the usual end. Else empty."""
-        if cid == "G" and header.told_nothing(structure):
+        if cid == "G" and header.is_default_header(structure):
             return header.plain(structure, self.ground)
         return USUAL_END if cid == "T" and not structure[cid].description else ""
 

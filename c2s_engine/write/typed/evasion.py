@@ -111,7 +111,7 @@ def goes_round(c: Course, p: Phase) -> list[Step]:
     slower, shift = c.speed if steady else scope.number(CAUTION * c.value), lateral.said(p) or SHIFT
     past = " and ".join(f"lead_on({one}, self) < -self.length" for one in members(s, target))
     found = [([c.drive(slower, 4, aside, shift)], f"until {past}")]
-    if p.side == "left" and (met := _met(s)):  # they make way for it
+    if p.side == "left" and (met := _yielding_oncoming(s)):  # they make way for it
         stays = c.drive(slower, 4, scope.number(0.8 * LANE_WIDTH))
         found.append(([stays], f"until {' and '.join(f'passed({one}, self, 0)' for one in met)}"))
     return [*found, ([c.drive()], "for 3 seconds")]
@@ -144,7 +144,7 @@ def _small(c: Course, cid: str) -> bool:
     return spec is not None and is_walker(spec)
 
 
-def _met(structure: Structure) -> list[str]:
+def _yielding_oncoming(structure: Structure) -> list[str]:
     """Those who come towards ego in the lane beside its own, and make way for it."""
     objects = [(o.id, o.spec) for o in structure.objects if isinstance(o.spec, ObjectSpec)]
     coming = [i for i, o in objects if o.placement.position == "oncoming_lane" and is_vehicle(o.type)]

@@ -37,7 +37,8 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
     scrapes = _scrapes(c, p)  # it comes back too early
     if (cut := _cuts_in(c, p)) is not None and p.gap is None:  # that is how it comes back
         p = p.model_copy(update={"gap": cut.gap if cut.gap is not None else LEAST})
-    past = " and ".join(f"lead_on(self, {one}) > {TOO_EARLY if scrapes else _ahead(c, p)}" for one in _whom(c, p))
+    lead = TOO_EARLY if scrapes else _ahead(c, p)
+    past = " and ".join(f"lead_on(self, {one}) > {lead}" for one in _passed_actors(c, p))
     if not (c.oncoming_both(p) or c.same_lane(p) and c.lane is not None):
         return [([c.drive()], f"until {past}")]
     if not c.oncoming_both(p) and leaves_lane(c.party(p.target)):  # it clears the way
@@ -158,7 +159,7 @@ def _comes(spec: ObjectSpec) -> bool:
     return spec.placement.position == "oncoming_lane" and is_vehicle(spec.type) and not is_static(spec)
 
 
-def _whom(c: Course, p: Phase) -> list[str]:
+def _passed_actors(c: Course, p: Phase) -> list[str]:
     """Those it passes before it may come back: all members where they are in its lane, else the first."""
     if p.target is None or p.target not in c.actor.structure or not (c.same_lane(p) or c.oncoming_both(p)):
         return [c.actor.ref(p.target)]

@@ -3,7 +3,7 @@
 from itertools import takewhile
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.crossers import ANSWERS, before_whom
+from c2s_engine.structure.crossers import ANSWERS, crossed_vehicle
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import Quantity, high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
@@ -82,7 +82,7 @@ def constants(structure: Structure, cid: str, plan: Plan) -> list[str]:
     if later and met in due:
         due[met] = round(low(due[met]) + later, 2), round(high(due[met]) + later, 2)
     where = "at the kerb, by its way" if first and first.abandoned else "in the middle of its way, unhindered"
-    whom = scope.reference(structure, before_whom(structure, cid))
+    whom = scope.reference(structure, crossed_vehicle(structure, cid))
     return [f"{name}_{when} = {scope.quantity(seconds)}  # s after {whom} {where}" for when, seconds in due.items()]
 
 
@@ -102,7 +102,7 @@ def _arrival(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, again
     pace = max(middle(pace_of(spec)), 0.5)
     if spec.placement.arrives is not None:
         return spec.placement.arrives
-    if (other := before_whom(structure, cid)) != EGO:
+    if (other := crossed_vehicle(structure, cid)) != EGO:
         return _before(structure, cid, other, plan)
     if _meets(structure, cid, spec) and not again:
         return round(_struck_at(structure, cid, spec, plan, pace), 2)
@@ -405,6 +405,6 @@ def _sets_out(
     when = "RETURNS" if phase is _comes_again(structure, cid, spec) else "ARRIVES"
     if phase.abandoned:
         gained += f", metres={_how_far(structure, cid, phase, None, 'self.heading')}"
-    whom = scope.reference(structure, before_whom(structure, cid))
+    whom = scope.reference(structure, crossed_vehicle(structure, cid))
     found = f"sets_out(self, {whom}, line, {speed}, {scope.constant(structure, cid)}_{when}{gained})"
     return f"{found} or {scope.reference(structure, cid)}.speed > 0.3" if spec.count > 1 else found

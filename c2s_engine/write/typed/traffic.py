@@ -57,7 +57,7 @@ def solved(structure: Structure) -> Structure:
             if phase.action == "overtake" and [p.action for p in phases_of(structure, cid)[i + 1 :]] == ["cut_in"]:
                 structure = _braking(structure, cid, i + 1, FASTER)  # it comes by, and draws away
             if phase.action in (*LATERAL, "swerve", "brake", "stop", "follow"):
-                structure = _met(structure, cid, i, phase)
+                structure = _with_phase_gap(structure, cid, i, phase)
                 break
     return structure
 
@@ -191,7 +191,7 @@ def _drives(spec: ObjectSpec) -> bool:
     return along and is_vehicle(spec.type) and not is_static(spec)
 
 
-def _met(structure: Structure, cid: str, i: int, phase: Phase) -> Structure:
+def _with_phase_gap(structure: Structure, cid: str, i: int, phase: Phase) -> Structure:
     """S with what makes the gap of a phase hold at its moment."""
     if phase.action in ("cut_out", "lane_change", "swerve"):
         structure = revealing(structure, cid, i, phase)

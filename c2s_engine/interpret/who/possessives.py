@@ -6,7 +6,7 @@ from c2s_engine.interpret.entities import Entity
 from c2s_engine.interpret.who.persons import Persons
 
 
-class Theirs(Persons):
+class Possessives(Persons):
     """The part of Cast that knows whose a vehicle or part is, by who did something right before."""
 
     ego: Entity

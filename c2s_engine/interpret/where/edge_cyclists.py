@@ -19,7 +19,7 @@ UNSIDED = re.compile(
 ACROSS = frozenset(("cross_road", "enter_road", "cross_path", "turn", "cut_in", "lane_change"))
 
 
-def on_own_edge(clauses: Clauses, of: dict[Entity, Where], road: Road) -> None:
+def place_edge_cyclists(clauses: Clauses, of: dict[Entity, Where], road: Road) -> None:
     """Put cyclists there who come along the right edge (on a one-way street: either), or along an edge against the
     traffic; what they do is ride."""
     for entity, where in of.items():

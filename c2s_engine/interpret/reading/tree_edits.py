@@ -1,5 +1,5 @@
-"""What changes in a tree are made of: hanging a word elsewhere, so that a tree remains, and what counts as a road user
-there."""
+"""What changes in a tree are made of: a word is attached elsewhere, so that a tree remains, and what counts as a road
+user there."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 TOWED = language.with_plurals("towed")
 
 
-def hang(words: list[Word], word: Word, above: Word, dep: str | None = None) -> None:
+def attach(words: list[Word], word: Word, above: Word, dep: str | None = None) -> None:
     """Hang a word on another one, which comes first to where the word hung if it is a part of what hangs on it."""
     if under(words, above, word):
         _off(words, above)

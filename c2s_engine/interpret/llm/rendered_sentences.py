@@ -22,7 +22,7 @@ _PLAIN = {"the", "and", "its", "that", "with", "from", "for", "has", "are", "was
           "their", "them", "there", "this", "being", "been", "other"}  # fmt: skip
 
 
-def told(structure: Structure, said: Mapping[ComponentId, str]) -> Structure:
+def with_rendered_sentences(structure: Structure, said: Mapping[ComponentId, str]) -> Structure:
     """S with sentences made from its specs, where the model had one; what that one says beyond them is `unmet`."""
     specs = structure
     for component in specs.components:

@@ -21,7 +21,7 @@ AT_SPEED = re.compile(
 OCCUPANTS = language.words("occupants")
 
 
-class Strangers:
+class UnlistedRoadUsers:
     """The part of Cast that knows road users by what they do."""
 
     entities: list[Entity]

@@ -14,7 +14,7 @@ STEPS = 6
 """The most that is left out; a text that needs more is refused as it is."""
 
 
-def agreeing(structure: Structure) -> Structure:
+def without_contradictions(structure: Structure) -> Structure:
     """The structure without what contradicts the rest of it, which is listed as unmet. Where that does not help, the
     structure as it is: the place is looked up next, and that refuses it.
     """

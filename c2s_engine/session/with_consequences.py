@@ -10,7 +10,7 @@ WITH_A_MIDDLE = 3
 """The fewest lanes of which one is the middle."""
 
 
-def following(before: Structure, after: Structure) -> tuple[Structure, list[str]]:
+def with_consequences(before: Structure, after: Structure) -> tuple[Structure, list[str]]:
     """S after edits, with what follows from them; what that is, in sentences."""
     said: list[str] = []
     for component in after.objects:

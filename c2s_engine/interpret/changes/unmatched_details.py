@@ -23,7 +23,7 @@ def vocabulary_words() -> frozenset[str]:
     return frozenset(of_parts | whole)
 
 
-def unsaid(plain: str, structure: Structure) -> list[str]:
+def unmatched_details(plain: str, structure: Structure) -> list[str]:
     """The numbers, places and parts in a text that nobody holds of whom it speaks, as they are said."""
     spans = [s for s in scan.names(plain) if s.kind in ("actor", "label", "ego")]
     meant = [refer(f"the {plain[s.start : s.end]}", structure, alone=False) for s in spans]

@@ -21,7 +21,7 @@ PLACED_BY = frozenset(("between", "at", "by", "near", "beside", "past", "outside
 HEADS = frozenset(("actors", "objects", "vehicles", "participants", "users", "agents", "npcs", "obstacles", "others"))
 
 
-class NotThere:
+class AbsentMentions:
     """The part of Cast that tells what is only named."""
 
     words: list[Word]

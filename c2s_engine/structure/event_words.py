@@ -43,7 +43,7 @@ def ended(facts: RunFacts) -> str:
     return f"{ENDED[facts.ended_by]}{why}"
 
 
-def told(event: EventFact) -> str:
+def event_phrase(event: EventFact) -> str:
     """`cuts in ahead of ego`."""
     words = WORDS.get(event.event, event.event.replace("_", " "))
     return f"{words} {event.other}" if event.other else words

@@ -19,7 +19,7 @@ OFF_ROAD = re.compile(
 WAITS = re.compile(r"\bwait\b")
 
 
-def left_untold(cast: Cast, clauses: Clauses) -> None:
+def fill_omissions(cast: Cast, clauses: Clauses) -> None:
     """Fill in what such reports leave out."""
     _stand_before(cast, clauses)
     for event in list(clauses.events):

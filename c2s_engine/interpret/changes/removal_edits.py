@@ -8,7 +8,7 @@ from c2s_engine.structure.edits import Edit, RemoveObject, SetSpec, apply
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 
 
-def gone(components: Sequence[Component], structure: Structure) -> list[Edit]:
+def removal_edits(components: Sequence[Component], structure: Structure) -> list[Edit]:
     """Edits after which these are there no longer, and nobody refers to them."""
     edits: list[Edit] = []
     for component in components:

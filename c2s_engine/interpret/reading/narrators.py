@@ -18,7 +18,7 @@ def numbering(plain: str) -> bool:
     return re.search(told["labels"], plain) is not None and re.search(told["own"], plain) is None
 
 
-def told_by_others(plain: str) -> bool:
+def has_outside_narrator(plain: str) -> bool:
     """Whether nobody in the scene tells the whole text."""
     return numbering(plain)
 
@@ -26,7 +26,7 @@ def told_by_others(plain: str) -> bool:
 def asked(plain: str) -> list[tuple[int, int]]:
     """The stretches of a text in which first and second persons are nobody on the road: somebody asks for it there, or
     tells of the work that it is for; the whole text where a bystander tells it."""
-    return [(0, len(plain))] if told_by_others(plain) else [m.span() for m in _asks().finditer(plain)]
+    return [(0, len(plain))] if has_outside_narrator(plain) else [m.span() for m in _asks().finditer(plain)]
 
 
 @cache

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from c2s_engine.interpret.reading.hanging import hang, road_user
+from c2s_engine.interpret.reading.tree_edits import attach, road_user
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
 
 
-def bring_home(words: list[Word], word: Word) -> None:
+def reattach_phrase(words: list[Word], word: Word) -> None:
     """Hang such a phrase on what it tells of."""
     before = words[word.i - 1]
     if word.norm in ("at", "with") and word.dep == "prep" and before.dep == "nsubjpass" and road_user(before):
-        hang(words, word, before)  # "V1 at 60 km/h is overtaken by a van"
+        attach(words, word, before)  # "V1 at 60 km/h is overtaken by a van"
     if (lane := _lane_before(words, word)) is not None:
-        hang(words, word, lane)  # "approaches a queue in the lane to its right"
+        attach(words, word, lane)  # "approaches a queue in the lane to its right"
 
 
 def _lane_before(words: list[Word], word: Word) -> Word | None:

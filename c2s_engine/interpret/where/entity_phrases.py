@@ -21,7 +21,7 @@ DIRECTED = frozenset(("towards", "toward", "into", "onto"))
 PLACING = language.words("placing")
 
 
-class OwnWords:
+class EntityPhrases:
     """The part of Places that keeps the words that are an entity's own."""
 
     cast: Cast

@@ -14,7 +14,7 @@ def _patterns() -> list[tuple[re.Pattern[str], str]]:
     return [(re.compile(find), reason) for find, reason in [*language.table("notes")["inexpressible"], *told]]
 
 
-def unshown(demand: str) -> Found | None:
+def unsupported_demand(demand: str) -> Found | None:
     """No edits, and why: where a demand asks for nothing else than what cannot be shown."""
     for pattern, reason in _patterns():
         if not (match := pattern.search(demand)):

@@ -5,13 +5,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from c2s_engine.interpret.reading.hanging import under
+from c2s_engine.interpret.reading.tree_edits import under
 
 if TYPE_CHECKING:
     from c2s_engine.interpret.reading.syntax import Word
 
 
-def hang(
+def attach_actions(
     words: list[Word], doing: list[tuple[int, int]], made: list[tuple[int, int]], named: list[tuple[int, int]]
 ) -> None:
     """Hang what road users do (a participle, after "let", behind a colon) on who does it, if a tree remains."""

@@ -25,7 +25,7 @@ HIDES = frozenset(third_person(verb) for verb in language.words("hides"))
 Piece = tuple[str, int, int, Span | None]
 
 
-def mistaken(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
+def mistagged_verbs(doc: Any, piece: list[Piece], plain: str) -> dict[int, str]:
     """The places of such verbs in a parsed sentence, and what the parser is shown there."""
     return {
         **_participles(doc, piece, plain),

@@ -16,7 +16,7 @@ SLOWS = ("brake", "stop")
 
 
 @dataclass(frozen=True)
-class LimitTold:
+class StatedLimit:
     """A bound in the text: of what, for whom, towards whom, from and up to which value (SI), and where it stands."""
 
     kind: str
@@ -32,9 +32,9 @@ def _pattern(name: str) -> re.Pattern[str]:
     return re.compile(language.table("limits")[name])
 
 
-def limits_told(
+def stated_limits(
     plain: str, sentences: list[tuple[int, int]], quantities: list[Span], cast: Cast, clauses: Clauses
-) -> list[LimitTold]:
+) -> list[StatedLimit]:
     """The bounds; their values are taken from the events, which do not reach them."""
     found = [t for start, end in sentences for t in _of_sentence(plain, start, end, quantities, cast, clauses)]
     bounded = {t.span[1] for t in found}
@@ -46,7 +46,7 @@ def limits_told(
 
 def _of_sentence(
     plain: str, start: int, end: int, quantities: list[Span], cast: Cast, clauses: Clauses
-) -> Iterator[LimitTold]:
+) -> Iterator[StatedLimit]:
     demanded = _pattern("demanded").search(plain, start, end) is not None
     for quantity in (q for q in quantities if start <= q.start < end):
         before = plain[start : quantity.start]
@@ -59,13 +59,13 @@ def _of_sentence(
         at = start + (above or below).start()  # type: ignore[union-attr]
         subject, other = (event.agent, event.patient) if event is not None else (cast.ego, None)
         low, high = (None, quantity.data["high"]) if above else (quantity.data["low"], None)
-        yield LimitTold(kind, subject, other if kind == "gap" else None, low, high, (at, quantity.end))
+        yield StatedLimit(kind, subject, other if kind == "gap" else None, low, high, (at, quantity.end))
     for event in clauses.events:
         if event.act == "collide" and event.mode == "negated" and start <= event.start < end and demanded:
-            yield LimitTold("collision", event.agent, event.patient, None, None, (event.start, event.end))
+            yield StatedLimit("collision", event.agent, event.patient, None, None, (event.start, event.end))
     if demanded and (none := _pattern("untouched").search(plain, start, end)):
         event = _bound(clauses, start, none.start())
-        yield LimitTold("collision", event.agent if event is not None else cast.ego, None, None, None, none.span())
+        yield StatedLimit("collision", event.agent if event is not None else cast.ego, None, None, None, none.span())
 
 
 def _kind(dimension: str, before: str, behind: str, slows: bool) -> str:

@@ -9,7 +9,7 @@ BRAKES = ("brake", "brake_hard")
 """The events with which a stop begins."""
 
 
-def as_run(structure: Structure, facts: RunFacts | None) -> Structure:
+def with_measured_values(structure: Structure, facts: RunFacts | None) -> Structure:
     """The structure whose actors have what is measured of them among what is assumed, where it is open: their gap and
     speed, and when they begin what no trigger of theirs begins."""
     if facts is None:

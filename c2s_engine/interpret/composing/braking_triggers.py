@@ -18,7 +18,7 @@ NO_REASON = frozenset(("follow", "keep_lane", "stationary", "wait"))
 Specs = dict[str, ObjectSpec | EgoSpec]
 
 
-def in_turn(scene: Scene, ego: EgoSpec, drafts: list[Draft], ids: Mapping[Entity, str]) -> None:
+def braking_triggers(scene: Scene, ego: EgoSpec, drafts: list[Draft], ids: Mapping[Entity, str]) -> None:
     """Give the brakings of objects what another has just done as their trigger."""
     specs: Specs = {"ego": ego, **{ids[d.entity]: d.spec for d in drafts if d.entity is not None}}
     told = _told(scene, ids, specs)

@@ -8,7 +8,7 @@ import re
 from typing import Any
 
 from c2s_engine.interpret.changes.acts import at_rest_before, struck
-from c2s_engine.interpret.changes.apart import told_apart
+from c2s_engine.interpret.changes.apart import with_distinct_nouns
 from c2s_engine.interpret.changes.bounds import CONTACT
 from c2s_engine.interpret.changes.forms import Found
 from c2s_engine.interpret.changes.in_words import in_words
@@ -29,7 +29,7 @@ from c2s_engine.interpret.changes.phases import (
 )
 from c2s_engine.interpret.changes.places import added_as, kept_place, only_by_ego, placed_before
 from c2s_engine.interpret.changes.refer import doing, refer, spec_of
-from c2s_engine.interpret.changes.retold import indicative, located_in, read, scene, table
+from c2s_engine.interpret.changes.scene_context import indicative, located_in, read, scene, table
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import AddObject, Edit, MoveObject, SetField, apply
@@ -47,7 +47,8 @@ def acting(clause: str, structure: Structure) -> Found | None:
         return None
     if re.match(table()["sets_speed"], clause):
         return None
-    return _told(clause, structure, lambda path: path.split(".")[0] in ("phases", "reaction", "manoeuvre", "+"))
+    acts = ("phases", "reaction", "manoeuvre", "+")
+    return _from_scene_clause(clause, structure, lambda path: path.split(".")[0] in acts)
 
 
 def introduced(parts: list[str], structure: Structure) -> Found | None:
@@ -56,17 +57,17 @@ def introduced(parts: list[str], structure: Structure) -> Found | None:
     if not parts or not re.match(table()["adds"], parts[0]):
         return None
     said = "".join((". " if re.match(table()["apart"], p) else ", ") + p for p in parts)[2:]
-    return _told(said, structure, lambda path: path == "+")
+    return _from_scene_clause(said, structure, lambda path: path == "+")
 
 
 def standing(clause: str, structure: Structure) -> Found | None:
     """ "Ego in the left lane", "the van is parked on the left", "the pedestrian comes from the other side"."""
-    return _told(clause, structure, lambda path: path not in ("speed", "type"))
+    return _from_scene_clause(clause, structure, lambda path: path not in ("speed", "type"))
 
 
-def _told(clause: str, structure: Structure, wanted: Any) -> Found | None:
+def _from_scene_clause(clause: str, structure: Structure, wanted: Any) -> Found | None:
     """What a clause asks for that is read amid the scene, those of one type told apart."""
-    found = _read_amid(*told_apart(clause, structure), wanted)
+    found = _read_amid(*with_distinct_nouns(clause, structure), wanted)
     if found is None:
         return None
     found = struck(clause, at_rest_before(clause, found, structure))
@@ -334,7 +335,7 @@ def _unmoved(now: Component, clause: str) -> bool:
     return passes or CONTACT.search(clause) is not None or re.search(table()["denies"], clause) is not None
 
 
-def unread(clause: str, structure: Structure) -> list[str]:
+def unparsed_words(clause: str, structure: Structure) -> list[str]:
     """The words of a clause that are not understood where it is read amid the scene."""
     told = indicative(clause, structure)
     if told is None:

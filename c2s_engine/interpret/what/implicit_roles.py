@@ -12,7 +12,7 @@ NOTICES = language.words("notices")
 STRIKES = language.words("strikes")
 
 
-def unsaid(cast: Cast, clauses: Clauses) -> None:
+def implicit_roles(cast: Cast, clauses: Clauses) -> None:
     """Fill in agents and patients that follow from the clauses around, once it is known who ego is."""
     for event in clauses.events:
         if event.act == "collide":
@@ -21,7 +21,7 @@ def unsaid(cast: Cast, clauses: Clauses) -> None:
             event.patient = None
 
 
-def by_who_did_not_notice(cast: Cast, clauses: Clauses) -> None:
+def reassign_unnoticed_collisions(cast: Cast, clauses: Clauses) -> None:
     """Who "did not notice that traffic had stopped and struck V2" strikes, not the traffic."""
     for event in clauses.events:
         if event.act == "collide":

@@ -42,7 +42,7 @@ def summary(desk: Desk, back: str = "") -> tuple[str, str]:
         parts.append(f"{requirements_met(desk.structure, desk.results, desk.idle)}{_fewer(desk)}")
     left = given_up(desk.structure)
     if left and desk.stages:
-        parts.append(f"given up: {', '.join(left)}")
+        parts.append(f"changed from the text: {', '.join(left)}")
     if desk.seconds:
         parts.append(f"{desk.seconds:.1f} s")
     unasked = any(c.said is False for c in desk.collisions)

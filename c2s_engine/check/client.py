@@ -145,7 +145,7 @@ class CheckClient:
                 process.stdin.write(json.dumps({"id": key, "kind": "cancel"}).encode() + b"\n")
             raise
         except ConnectionError:
-            raise CheckError(f"the check server ended while it worked on a {kind} request; it starts again") from None
+            raise CheckError(f"the check server stopped during a {kind} request and restarts: try again") from None
         finally:
             pending.pop(key, None)
         if not answer.get("ok"):

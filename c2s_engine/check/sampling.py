@@ -127,7 +127,8 @@ def _of_speed(line: str) -> bool:
 
 
 RELAX = {
-    "speed": "while a scene is drawn everything stands: ask it of the run ('require eventually', 'terminate when')",
+    "speed": "objects do not move while a scene is sampled: check speeds in the run "
+             "('require eventually', 'terminate when')",
     "requirement": "weaken that requirement, or place the objects so that it holds more often",
     "overlap": "place them further apart, or let one of them have 'with allowCollisions True'",
     "containment": "place it where it fits, choose a wider lane or a longer road, or add 'with regionContainedIn None'",

@@ -204,7 +204,7 @@ async def places(pool: Pool, request: PlacesRequest) -> PlacesReport:
     zygote = await pool.nearest(request.map, header, job, blob)
     if "read" not in zygote.grown:  # the map can be read, but these statements do not run
         why = _first_error(await check(pool, check_request, None)) or "it does not run"
-        raise ValueError(f"the driving library is broken: {driving.path()}: {why}; install c2s anew, or mend it")
+        raise ValueError(f"the driving library is broken: {driving.path()}: {why}; reinstall c2s, or repair the file")
     child = await zygote.spawn(
         {**job, "kind": "places", "expressions": request.expressions, "first": request.first}, b""
     )

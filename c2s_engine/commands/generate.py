@@ -43,11 +43,12 @@ def generate(
         bool | None, typer.Option("--improve/--no-improve", help="Let the model correct what the run did not show.")
     ] = None,
     widen: Annotated[
-        bool, typer.Option("--widen", help="Vary what is left open as far as 90 % of the scenes still hold.")
+        bool, typer.Option("--widen", help="Turn open values into ranges in which 90 % of the scenes still pass.")
     ] = False,
     contradictions: Annotated[
         bool,
-        typer.Option("--contradictions", help="Where not all is shown, find which numbers of the text are the cause."),
+        typer.Option("--contradictions",
+                     help="If requirements are not met, find which numbers of the text contradict one another."),
     ] = False,
     no_run: Annotated[bool, typer.Option("--no-run", help="Compile and sample, but do not run it.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
@@ -60,7 +61,7 @@ def generate(
         description = read_text(text, file)
         for name, wanted in (("--widen", widen), ("--contradictions", contradictions)):
             if wanted and no_run:
-                raise InputError(f"{name} needs runs to see what holds: leave --no-run out.")
+                raise InputError(f"{name} needs dry runs: remove --no-run.")
         if output is not None and not output.parent.exists():
             raise InputError(f"There is no folder {output.parent}: make it, or save elsewhere.")
     options = {"method": method, "map": map_name, "seed": seed, "run": not no_run, "runs": runs, "improve": improve}

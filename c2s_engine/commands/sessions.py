@@ -67,7 +67,8 @@ def edit(
     no_run: Annotated[bool, typer.Option("--no-run", help="Compile and sample, but do not run it.")] = False,
     contradictions: Annotated[
         bool,
-        typer.Option("--contradictions", help="Where not all is shown, find which numbers of the text are the cause."),
+        typer.Option("--contradictions",
+                     help="If requirements are not met, find which numbers of the text contradict one another."),
     ] = False,
     seeds: Annotated[str | None, typer.Option(help="Then run it once with each of N seeds: 20, or 5-9.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
@@ -78,7 +79,7 @@ def edit(
         options = {"method": method, "seed": seed, "run": not no_run, "improve": improve}
         chosen = chosen_seeds(seeds, seed)
         if contradictions and no_run:
-            raise InputError("--contradictions needs runs to see what holds: leave --no-run out.")
+            raise InputError("--contradictions needs dry runs: remove --no-run.")
         text = (program, read_program(program)) if program else None
         if not (new or program):
             known(name)

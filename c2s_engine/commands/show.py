@@ -76,7 +76,7 @@ def outcome(
         _runs(facts, requirements, measures, bool(s.text), to)
         _required(s, requirements, results, idle, to)
     if left := given_up(s):
-        to.print(Text(f"Given up: {', '.join(left)}", style="yellow"))
+        to.print(Text(f"Changed from the text: {', '.join(left)}", style="yellow"))
     without_effect(idle, to)
 
 

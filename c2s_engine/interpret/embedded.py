@@ -30,7 +30,7 @@ OF_THE_ROAD = re.compile(
 STATES = re.compile(r"(?:has|have|had|is|are|was|were)\b(?! \w+ing\b)")
 """Verbs of what somebody is or has, by which nobody goes anywhere."""
 
-NOT_ENGLISH = "This is no English text: describe the scene in English, for example “a car cuts in ahead of ego”."
+NOT_ENGLISH = "This text is not English: describe the scene in English, for example “a car cuts in ahead of ego”."
 
 MOST_OBJECTS = 99
 """O1 to O99 are the names that S has; who is told of beyond them is listed as not understood."""
@@ -111,7 +111,7 @@ def understood(text: str) -> Understood:
         scene = typologies.understand(mended.text)
         if not _has_scene(scene):
             raise InterpretError(
-                "Nothing in the text tells of a driving scene: name in English the vehicles or people, where they "
+                "No driving scene was found in the text: name in English the vehicles or people, where they "
                 "are and what they do."
             )
         scene.actors = scene.actors[:MOST_OBJECTS]

@@ -68,7 +68,7 @@ def _requirements(material: Material) -> list[dict[str, Any]]:
     """What S requires of a run, and what this one showed of it; without a run, none of it was reached."""
     asked = require(material.structure)
     if material.facts is None or material.ways is None:
-        results = [Result(requirement=r.id, holds=None, robustness=None, said=r.text, why="not reached") for r in asked]
+        results = [Result(requirement=r.id, holds=None, robustness=None, said=r.text, why="not judged") for r in asked]
     else:
         judged = {r.requirement: r for r in material.results}
         alone = evaluate(asked, material.facts, material.ways) if any(r.id not in judged for r in asked) else ()

@@ -122,7 +122,8 @@ async def of_text(
         elif isinstance(event, Finished):
             done = event
     if done is None:
-        return Material(id=told.id, text=told.text, matters=told.matters, problem=said or "Nothing came of the text.")
+        problem = said or "No program could be made from the text."
+        return Material(id=told.id, text=told.text, matters=told.matters, problem=problem)
     read_here = told.structure is None and done.structure.text
     idle = await engine.without_effect(told.text, read_so=done.structure) if read_here else ()
     facts = done.facts[0] if done.facts else None

@@ -82,7 +82,7 @@ def _run(shown: dict[str, Any], pictures: Sequence[str]) -> Iterator[str]:
     run = shown["run"]
     yield f"## The run: {run['duration']:.1f} s, ended by {run['ended_by']}"
     yield (
-        "From a dry run with the simulator's own vehicle dynamics, not from CARLA. Boxes are the actors, arrows their "
+        "From a dry run with simple vehicle dynamics, not from CARLA. Boxes are the actors, arrows their "
         "headings, solid lines the ways so far, dotted ones the ways to come."
     )
     yield from (f"![{name.removesuffix('.png')}]({name})" for name in pictures)

@@ -49,5 +49,6 @@ def problem_of(faults: tuple[Diagnostic, ...], facts: RunFacts | None) -> str:
         return f"It did not run: {errors[0].message}" if errors else "It was not run."
     if not facts.ran:
         why = f": {facts.reason}" if facts.reason else ""
-        return f"The run broke off after {facts.duration:.1f} s ({facts.ended_by}{why}): what follows was not reached."
+        after = f"after {facts.duration:.1f} s ({facts.ended_by}{why})"
+        return f"The run stopped early, {after}: what follows was not judged."
     return ""

@@ -23,7 +23,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
             yield scene.make("actors", "is_kind", actor, "type", f"{scene.named(actor)} is a {kind}.", types=types,
                              called=kind)  # fmt: skip
     if all(scene.recognised(a) for a in scene.actors):
-        text = "No road user is there that S does not name."
+        text = "There are no road users other than those in S."
         yield scene.make("actors", "nobody_else", "ego", "nobody_else", text, component="R")
 
 

@@ -45,13 +45,13 @@ def _arriving(scene: Scene, actor: str, spec: ObjectSpec) -> Iterator[Requiremen
         if any(p.action == "cross_road" and p.abandoned for p in spec.phases):
             return  # it stays beside ego's way
         where = "ego's way" if spec.type in FOUR_WHEELED else "the middle of ego's way"
-        check, text = "arrives", f"{name} is in {where} {after}'s front, were neither to react."
+        check, text = "arrives", f"{name} is in {where} {after}'s front, if neither reacts."
         del values["other"]
     elif beside := _level_with(scene, spec):
-        check, text = "arrives_beside", f"{name} is level with {scene.named(beside)} {when}, were neither to react."
+        check, text = "arrives_beside", f"{name} is level with {scene.named(beside)} {when}, if neither reacts."
         values["other"] = beside
     else:
-        check, text = "arrives_where_ways_meet", f"{name} is where their ways meet {when}, were neither to react."
+        check, text = "arrives_where_ways_meet", f"{name} is at their conflict point {when}, if neither reacts."
     yield scene.make("conflict", check, actor, "placement.arrives", text, **values)  # type: ignore[arg-type]
 
 
@@ -73,7 +73,7 @@ def arrives(requirement: Requirement, evidence: Evidence) -> Result:
     run = evidence.without or evidence
     one, ego = run.motion(requirement.actor), run.motion(EGO)
     if one is None or ego is None or not one.course.ego_aside:
-        return unknown(requirement, said, "not reached: one of the two is not there")
+        return unknown(requirement, said, "not judged: one of the two is missing from the run")
     aside, along = one.of_course("ego_aside"), one.of_course("ego_along")
     within, reaches = IN_MIDDLE, 0.0
     if one.kind in FOUR_WHEELED:  # as soon as its body is in ego's way
@@ -82,7 +82,7 @@ def arrives(requirement: Requirement, evidence: Evidence) -> Result:
         reaches = 0.5 * float(np.abs(np.cos(turn[0])) * one.size[0])
     time = _moment(one.time, np.sign(aside[0]) * np.abs(aside) - np.sign(aside[0]) * within)
     if time is None:
-        return scored(requirement, -1.0, said, "it does not come to the middle of ego's way")
+        return scored(requirement, -1.0, said, "it does not reach the middle of ego's path")
     front = ego.of_course("along") + ego.size[0] / 2 - float(np.interp(time, one.time, along)) - reaches
     there = _moment(ego.time, front)
     if there is None:
@@ -107,7 +107,7 @@ def arrives_beside(requirement: Requirement, evidence: Evidence) -> Result:
     said, run = f"{words(requirement, 's')} after ego", evidence.without or evidence
     one, other, ego = (run.motion(who) for who in (requirement.actor, requirement.other or EGO, EGO))
     if one is None or other is None or ego is None:
-        return unknown(requirement, said, "not reached: one of them is not there")
+        return unknown(requirement, said, "not judged: one of them is not there")
     there, its = _reaches(ego, other), _reaches(one, other)
     if there is None or its is None:
         return scored(requirement, -1.0, said, f"{'ego' if there is None else 'it'} does not come there")
@@ -133,7 +133,7 @@ def arrives_where_ways_meet(requirement: Requirement, evidence: Evidence) -> Res
     one, ego = run.motion(requirement.actor), run.motion(EGO)
     seen = arrival(one, ego) if one and ego else None
     if seen is None:
-        return scored(requirement, -1.0, said, "their ways do not meet")
+        return scored(requirement, -1.0, said, "their paths do not cross")
     return _within(requirement, seen, bounds()["conflict"]["together"]["value"], said)
 
 

@@ -149,7 +149,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if frozenset((actor, EGO)) in struck or not scene.recognised(actor) or _turns_off(scene, actor):
             continue
         name = scene.named(actor)
-        text = f"{name} is a threat to ego: " + ("were ego not to react, they" if reacts else "they") + \
+        text = f"{name} is a threat to ego: " + ("without a reaction of ego, they" if reacts else "they") + \
             " would collide or come very near."  # fmt: skip
         yield scene.make("conflict", "threatens", actor, "threat", text, other=EGO, reaction=reacts)
         if reacts and scene.ego.reaction != "follow":
@@ -247,7 +247,7 @@ def threatens(requirement: Requirement, evidence: Evidence) -> Result:
     said = f"contact, or within {limits['pet']['value']:g} s (PET) or {limits['ttc']['value']:g} s (TTC)"
     other = evidence.without if requirement.values["reaction"] else evidence
     if other is None:
-        return unknown(requirement, said, "cannot be judged: the scene was not run with ego's reaction switched off")
+        return unknown(requirement, said, "not judged: there was no run with ego's reaction switched off")
     if (why := another_scene(requirement.actor, evidence, other)) is not None:
         return unknown(requirement, said, why)
     if found := other.contacts(requirement.actor, EGO):
@@ -262,7 +262,7 @@ def threatens(requirement: Requirement, evidence: Evidence) -> Result:
                  (limits["ttc"]["value"] - ttc) / limits["ttc"]["value"])  # fmt: skip
     near = [f"{name} {value:.1f} s" for name, value in (("PET", pet), ("TTC", ttc)) if np.isfinite(value)]
     due = _due(other.motion(requirement.actor), ego) if margin < 0 else None
-    return scored(requirement, max(-1.0, margin), said, ", ".join(near) or "their ways do not meet", due=due)
+    return scored(requirement, max(-1.0, margin), said, ", ".join(near) or "their paths do not cross", due=due)
 
 
 def _due(one: Motion | None, ego: Motion | None) -> float | None:

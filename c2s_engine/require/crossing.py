@@ -30,8 +30,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
     met = tuple(a for a in across if a not in hits and _answered(scene, a))
     if met and scene.recognised(EGO):
         names = " and ".join(scene.named(a) for a in met)
-        yield scene.make("place", "stands_before", EGO, "stands_before", f"Where ego comes to a stand for {names}, "
-                         "it is close before the crosswalk, or their way.", others=met)  # fmt: skip
+        yield scene.make("place", "stands_before", EGO, "stands_before", f"Where ego stops for {names}, "
+                         "it stops just before the crosswalk or their path.", others=met)  # fmt: skip
     for actor in across:
         if (before := _after(scene, actor)) is not None:
             text = f"{scene.named(actor)} comes into ego's lane after {scene.named(before)}."
@@ -72,7 +72,7 @@ def stands_before(requirement: Requirement, evidence: Evidence) -> Result:
     assert isinstance(others, tuple)
     walking = [m for o in others for m in evidence.motions(str(o)) if m.course.ego_along and m.moves]
     if ego is None or not walking:
-        return unknown(requirement, said, "not reached: one of the two is not there")
+        return unknown(requirement, said, "not judged: one of the two is missing from the run")
     front = ego.of_course("along") + ego.size[0] / 2
     for first, last in stretches((ego.speed < STANDING) & (ego.time > 0.5)):
         if (last - first) * ego.step < limits["stands"]["value"] or _queues(ego, evidence, first, walking):
@@ -86,7 +86,7 @@ def stands_before(requirement: Requirement, evidence: Evidence) -> Result:
             margin = min((most - seen) / (most - least) * 2, (seen - least) / 0.5)
             return scored(requirement, margin, said, f"{seen:.1f} m before it", time,
                           measured=(seen, least, most))  # fmt: skip
-    return scored(requirement, 1.0, said, "ego does not stand for them")
+    return scored(requirement, 1.0, said, "ego does not stop for them")
 
 
 def _due(motion: Motion, time: float, limits: dict) -> bool:  # type: ignore[type-arg]
@@ -115,7 +115,7 @@ def on_crosswalk(requirement: Requirement, evidence: Evidence) -> Result:
     ego, walking = evidence.motion(EGO), evidence.motions(requirement.actor)
     said, room = "on the crosswalk", bounds()["crossing"]["beside"]["value"]
     if ego is None or not walking or any(not m.course.ego_along for m in walking):
-        return unknown(requirement, said, "not reached: it is not there")
+        return unknown(requirement, said, "not judged: it is missing from the run")
     walks = [m for m in ego.course.marks if m.kind == "crosswalk"]
     if not walks:
         return decided(requirement, False, said, "there is none on ego's way")
@@ -129,7 +129,7 @@ def comes_after(requirement: Requirement, evidence: Evidence) -> Result:
     pair = evidence.motions(requirement.actor), evidence.motions(requirement.other or "")
     found = [[t for m in each if len(t := m.time[np.abs(m.of_course("ego_aside")) < half])] for each in pair]
     if not all(found):
-        return unknown(requirement, said, "not reached: one of the two does not come into ego's lane")
+        return unknown(requirement, said, "not judged: one of the two never enters ego's lane")
     late, early = (min(float(t[0]) for t in each) for each in found)
     room = bounds()["order"]["room"]["value"]
     return scored(requirement, (late - early) / room, said, f"at {late:.1f} s, the other at {early:.1f} s", late,

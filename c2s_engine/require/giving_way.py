@@ -31,7 +31,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if spec.placement.position not in COMES_BY or leaves or not known:
             continue
         stands = sum(middle(p.duration) for p in one.phases if p.action in STOPS and p.duration is not None)
-        text = f"{scene.named(actor)} waits for {scene.named(other)}, which is near as it could go."
+        text = f"{scene.named(actor)} gives way to {scene.named(other)}, which is close when it could have gone."
         yield scene.make("conflict", "waits_for_it", actor, f"gives_way.{other}", text, other=other, stands=stands)
 
 
@@ -52,23 +52,25 @@ def _pairs(scene: Scene) -> Iterator[tuple[str, str]]:
 
 def waits_for_it(requirement: Requirement, evidence: Evidence) -> Result:
     most = bounds()["giving_way"]["gap"]["value"]
-    said = f"it is there within {most:g} s"
+    said = f"the other arrives within {most:g} s"
     one, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
     if one is None or other is None:
-        return unknown(requirement, said, "not reached: one of the two is not there")
+        return unknown(requirement, said, "not judged: one of the two is missing from the run")
     own, its = meeting_steps(one, other)
     if not len(own):
-        return scored(requirement, 1.0, said, "their ways do not meet where it waits") if one.speed[-1] < STANDING \
-            else decided(requirement, False, said, "their ways do not meet")  # fmt: skip
+        return scored(requirement, 1.0, said, "their paths do not cross where it waits") if one.speed[-1] < STANDING \
+            else decided(requirement, False, said, "their paths do not cross")  # fmt: skip
     goes, comes, gone = own.min(), its.min() * one.step, its.max() * one.step
     still = [a for a, b in stretches(one.speed[: goes + 1] < CREEPS) if (one.speed[a : b + 1] < STANDING).any()]
     if not still:
         return scored(requirement, 1.0, said, "it does not stand")
     free = _free(still[-1] * one.step + float(requirement.values["stands"]), comes, one, requirement, evidence)  # type: ignore[arg-type]
     if gone < free:
-        return decided(requirement, False, said, f"gone {free - gone:.1f} s before", free, due=gone - free - 1.0)
+        seen = f"the other has passed {free - gone:.1f} s before"
+        return decided(requirement, False, said, seen, free, due=gone - free - 1.0)
     lag = max(comes - free, 0.0)
-    return scored(requirement, 1.0 - lag / most, said, f"{lag:.1f} s after it could go", free, due=round(lag - AIM, 2))
+    seen = f"the other arrives {lag:.1f} s after it could go"
+    return scored(requirement, 1.0 - lag / most, said, seen, free, due=round(lag - AIM, 2))
 
 
 def _free(since: float, until: float, one: Motion, requirement: Requirement, evidence: Evidence) -> float:

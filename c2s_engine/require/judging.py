@@ -39,18 +39,18 @@ def majority(runs: Sequence[Sequence[Result]]) -> tuple[Result, ...]:
 def _judged(requirement: Requirement, evidence: Evidence) -> Result:
     if not evidence.facts.objects:
         why = evidence.facts.reason or "the run did not begin"
-        return unknown(requirement, requirement.text, f"not reached: {why}")
+        return unknown(requirement, requirement.text, f"not judged: {why}")
     result = CHECKS[requirement.check](requirement, evidence)
     if evidence.facts.ran or (result.holds and requirement.kind in SO_FAR):
         return result
     if result.holds is False and requirement.kind in (*SO_FAR, "natural", "rules", "limit"):
         return result
     seen_first = result.holds and requirement.kind in MOMENTS
-    return result if seen_first else unknown(requirement, result.said, f"not reached: {_broke_off(evidence.facts)}")
+    return result if seen_first else unknown(requirement, result.said, f"not judged: {_broke_off(evidence.facts)}")
 
 
 def _broke_off(facts: RunFacts) -> str:
-    return f"the run broke off after {facts.duration:.1f} s ({facts.reason or facts.ended_by})"
+    return f"the run stopped early, after {facts.duration:.1f} s ({facts.reason or facts.ended_by})"
 
 
 def _of_most(column: list[Result]) -> Result:

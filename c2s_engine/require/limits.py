@@ -47,7 +47,7 @@ def within(requirement: Requirement, evidence: Evidence) -> Result:
     braking = requirement.values["measure"] == "deceleration" and requirement.values.get("least") is None
     if braking and series and all(values.max(initial=0.0) < TRIED for values, _ in series):
         said = f"at most {requirement.values['most']:g} m/s2"
-        return unknown(requirement, said, "not tried: it never brakes")
+        return unknown(requirement, said, "not judged: it never brakes")
     return _kept(requirement, series)
 
 
@@ -95,7 +95,7 @@ def _kept(requirement: Requirement, series: list[tuple[np.ndarray, np.ndarray]])
             if worst is None or margin < worst[0]:
                 worst = (margin, float(values[at]), float(times[at]))
     if worst is None:
-        return unknown(requirement, said, "not reached: nobody is there whom it is about")
+        return unknown(requirement, said, "not judged: the actor it applies to is missing from the run")
     margin, value, time = worst
     measured = None if most is None else (value, float(least or 0), float(most))  # type: ignore[arg-type]
     return scored(requirement, margin, said, f"{value:.1f} {unit}", time, measured=measured)
@@ -104,11 +104,11 @@ def _kept(requirement: Requirement, series: list[tuple[np.ndarray, np.ndarray]])
 def untouched(requirement: Requirement, evidence: Evidence) -> Result:
     """That one touches neither the other nor, where none is named, anybody."""
     if not evidence.members(requirement.actor):
-        return unknown(requirement, "no contact", "not reached: it is not there")
+        return unknown(requirement, "no contact", "not judged: it is missing from the run")
     for contact in evidence.facts.contacts:
         who = {evidence.components.get(contact.one), evidence.components.get(contact.other)}
         if requirement.actor in who and requirement.other in (None, *who):
-            return decided(requirement, False, "no contact", f"{contact.one} and {contact.other} touch", contact.time)
+            return decided(requirement, False, "no contact", f"{contact.one} and {contact.other} collide", contact.time)
     return decided(requirement, True, "no contact", "none")
 
 

@@ -47,7 +47,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
             yield scene.make("phase", "slides_to_a_stand", actor, f"{path}.ends", f"{name}: slides to a stand, at an "
                              "angle to its lane.", of=of)  # fmt: skip
     if scene.ego.reaction == "brake" and scene.ego.hard:
-        yield scene.make("reaction", "emergency", EGO, "hard", "Ego brakes as hard as in an emergency.")
+        yield scene.make("reaction", "emergency", EGO, "hard", "Ego performs emergency braking.")
 
 
 def _left(scene: Scene, actor: str, i: int) -> set[str]:
@@ -80,7 +80,7 @@ def comes_back(requirement: Requirement, evidence: Evidence) -> Result:
     motion, time = evidence.motion(requirement.actor), evidence.times.get(str(requirement.values["of"]))
     evidence.times[requirement.id] = None
     if motion is None or time is None:
-        return unknown(requirement, said, "not reached: it was not seen")
+        return unknown(requirement, said, "not judged: the action did not occur")
     aside = np.abs(motion.of_course("aside"))
     room = bounds()["phase"]["back"]["value"]
     first = motion.at(time)
@@ -99,12 +99,12 @@ def comes_back_at(requirement: Requirement, evidence: Evidence) -> Result:
     motion, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
     time = evidence.times.get(str(requirement.values["of"]))
     if motion is None or other is None or time is None:
-        return unknown(requirement, said, "not reached: it was not seen")
+        return unknown(requirement, said, "not judged: the action did not occur")
     aside, n = np.abs(motion.of_course("aside")), min(len(motion.x), len(other.x))
     first = motion.at(time)
     over = np.flatnonzero(aside[first:n] < bounds()["start"]["half_lane"]["value"])
     if not len(over) or aside[first:n].max(initial=0.0) < 0.5:
-        return unknown(requirement, said, "not reached: it does not come back")
+        return unknown(requirement, said, "not judged: it does not come back")
     at = first + int(over[0])
     gap = float(box_distance(motion.poses[at : at + 1], other.poses[at : at + 1], motion.size, other.size)[0])
     room = max(bounds()["start"]["gap"]["value"], bounds()["start"]["gap_share"]["value"] * span(requirement)[1])
@@ -117,7 +117,7 @@ def overtaking_broken_off(requirement: Requirement, evidence: Evidence) -> Resul
     motion, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
     evidence.times[requirement.id] = None
     if motion is None or other is None:
-        return unknown(requirement, said, "not reached: one of the two is not there")
+        return unknown(requirement, said, "not judged: one of the two is missing from the run")
     aside, n = np.abs(motion.of_course("aside")), min(len(motion.x), len(other.x))
     limits = bounds()["phase"]
     ahead = -lead(motion.poses[:n], other.poses[:n])
@@ -136,7 +136,7 @@ def alongside(requirement: Requirement, evidence: Evidence) -> Result:
     motion, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
     time = evidence.times.get(str(requirement.values["of"]))
     if motion is None or other is None or time is None:
-        return unknown(requirement, "side by side", "not reached: it was not seen")
+        return unknown(requirement, "side by side", "not judged: the action did not occur")
     at = min(motion.at(time), len(other.x) - 1)
     ahead = float(lead(motion.poses[at], other.poses[at]))
     room = (motion.size[0] + other.size[0]) / 2 + bounds()["start"]["abreast"]["value"]
@@ -148,7 +148,7 @@ def slides_to_a_stand(requirement: Requirement, evidence: Evidence) -> Result:
     said = "stands at an angle"
     motion, time = evidence.motion(requirement.actor), evidence.times.get(str(requirement.values["of"]))
     if motion is None or time is None:
-        return unknown(requirement, said, "not reached: it was not seen")
+        return unknown(requirement, said, "not judged: the action did not occur")
     turned = float(abs(motion.heading[-1] - motion.heading[motion.at(max(time - 1.0, 0.0))]))
     least = bounds()["phase"]["turn_begun"]["value"]
     margin = min((turned - least) / least, 1.0 if motion.speed[-1] < STANDING or motion.contact is not None else -1.0)
@@ -161,7 +161,7 @@ def emergency(requirement: Requirement, evidence: Evidence) -> Result:
     said = f"at least {limits:g} m/s2"
     motion = evidence.motion(EGO)
     if motion is None:
-        return unknown(requirement, said, "not reached: ego is not there")
+        return unknown(requirement, said, "not judged: ego is not there")
     hardest = float((-motion.acceleration).max())
     return scored(requirement, (hardest - limits) / limits, said, f"{hardest:.1f} m/s2",
                   float(motion.time[int(motion.acceleration.argmin())]), measured=(hardest, limits, 9.8))  # fmt: skip

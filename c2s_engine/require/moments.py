@@ -170,7 +170,7 @@ def gap_then(requirement: Requirement, evidence: Evidence) -> Result:
     motion, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
     time = evidence.times.get(str(v["of"]))
     if motion is None or other is None or time is None:
-        return unknown(requirement, said, "not reached: it was not seen")
+        return unknown(requirement, said, "not judged: the action did not occur")
     room = max(limits["gap"]["value"], limits["gap_share"]["value"] * most)
     if v["later"]:
         when = list(range(motion.at(time), min(len(motion.x), len(other.x))))
@@ -187,7 +187,7 @@ def gap_then(requirement: Requirement, evidence: Evidence) -> Result:
     else:
         over = over_line(motion, time) if action in OVER_LINE else onset(motion, action, time)
         if over is None:
-            return unknown(requirement, said, "not reached: it comes over no lane line")
+            return unknown(requirement, said, "not judged: it crosses no lane line")
         gap, moment = lengthwise(motion, other, motion.at(over)), over
     return between(requirement, gap, room, said, f"{gap:.1f} m", moment)
 
@@ -221,12 +221,12 @@ def moves_aside(requirement: Requirement, evidence: Evidence) -> Result:
     limits, said = bounds()["phase"], f"{words(requirement, 'm/s')} sideways"
     motion, time = evidence.motion(requirement.actor), evidence.times.get(str(requirement.values["of"]))
     if motion is None or time is None:
-        return unknown(requirement, said, "not reached: it was not seen")
+        return unknown(requirement, said, "not judged: the action did not occur")
     window = slice(motion.at(time - LONGEST), motion.at(time + 2.0) + 1)
     width = max(1, round(0.4 / motion.step))
     moved = beside(motion)[window]
     if len(moved) <= width:
-        return unknown(requirement, said, "not reached: the run is too short")
+        return unknown(requirement, said, "not judged: the run is too short")
     speeds = np.abs(moved[width:] - moved[:-width]) / (width * motion.step)
     seen = float(np.median(speeds[speeds > 0.5 * speeds.max()]))
     room = limits["lateral"]["value"] + limits["lateral_share"]["value"] * span(requirement)[1]
@@ -238,7 +238,7 @@ def lasts(requirement: Requirement, evidence: Evidence) -> Result:
     limits, said = bounds()["phase"], words(requirement, "s")
     motion, time = evidence.motion(requirement.actor), evidence.times.get(str(requirement.values["of"]))
     if motion is None or time is None:
-        return unknown(requirement, said, "not reached: it was not seen")
+        return unknown(requirement, said, "not judged: the action did not occur")
     first, last = motion.at(time - LONGEST), motion.at(time + LONGEST)
     moved = np.abs(beside(motion)[first : last + 1] - beside(motion)[first])
     begins, ends = (int((moved > far).argmax()) for far in (BEGUN / 2, min(moved.max(), LANE) - BEGUN))
@@ -253,7 +253,7 @@ def delayed(requirement: Requirement, evidence: Evidence) -> Result:
     motion, time = evidence.motion(requirement.actor), evidence.times.get(str(v["of"]))
     cause, first = evidence.motion(requirement.other or EGO), evidence.times.get(str(v["after"]))
     if motion is None or time is None or v["after"] and (first is None or cause is None):
-        return unknown(requirement, said, "not reached: one of the two was not seen")
+        return unknown(requirement, said, "not judged: one of the two events did not occur")
     since = onset(cause, str(v["its"]), first) if cause is not None and first is not None and v["after"] else 0.0
     seen = onset(motion, str(v["action"]), time) - since
     room = bounds()["order"]["delay"]["value"] + 0.2 * span(requirement)[1]
@@ -300,7 +300,7 @@ def breaks_off(requirement: Requirement, evidence: Evidence) -> Result:
     limits, said = bounds()["phase"], "begun, and back in its own lane"
     motion = evidence.motion(requirement.actor)
     if motion is None:
-        return unknown(requirement, said, "not reached: it is not there")
+        return unknown(requirement, said, "not judged: it is missing from the run")
     moved = beside(motion)
     back = limits["back"]["value"]
     out = np.flatnonzero(np.abs(moved - moved[0]) > limits["begun"]["value"])
@@ -319,7 +319,7 @@ def halts_before(requirement: Requirement, evidence: Evidence) -> Result:
     """It goes towards the road, and comes to a stand before it is on a lane."""
     motion, said = evidence.motion(requirement.actor), "as far as the road's edge"
     if motion is None:
-        return unknown(requirement, said, "not reached: it is not there")
+        return unknown(requirement, said, "not judged: it is missing from the run")
     came = float(np.hypot(motion.x - motion.x[0], motion.y - motion.y[0]).max())
     moving = np.flatnonzero(motion.speed >= STANDING)
     evidence.times[requirement.id] = time = float(motion.time[moving[-1]]) if len(moving) else None

@@ -28,19 +28,20 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if spec.type not in MOVING or not scene.of_text(actor):
             continue
         name, actions = scene.named(actor), {p.action for p in spec.phases}
-        yield scene.make("natural", "dynamics", actor, "dynamics", f"{name} moves within what its class can and "
-                         "does.", sideways="lose_control" not in actions)  # fmt: skip
+        yield scene.make("natural", "dynamics", actor, "dynamics", f"{name} moves within the physical limits of "
+                         "its class.", sideways="lose_control" not in actions)  # fmt: skip
         if not scene.recognised(actor):
             continue
         yield from _speeds(scene, actor, spec)
         cid = component_of(actor)
         changes = tuple(f"{cid}.phases.{i}.{p.action}" for i, p in enumerate(spec.phases) if p.action in CHANGES)
         if spec.speed != 0 and not (actor == EGO and scene.ego.reaction != "none"):
-            text = f"{name} neither surges nor slows without a reason" + (" before it is said to." if changes else ".")
+            until = " before the first phase that changes it" if changes else ""
+            text = f"{name} does not change speed without a reason{until}."
             yield scene.make("natural", "steady", actor, "steady", text, until=changes)
         if actor == EGO and scene.ego.reaction != "none" and scene.recognised(actor):
             slows = sum(p.action in CHANGES for p in spec.phases)
-            text = "Ego does not speed up and slow down again and again."
+            text = "Ego does not repeatedly speed up and slow down."
             yield scene.make("natural", "smooth", actor, "smooth", text, said=slows)
         if (target := next((t for a, t in hits if a == actor), None)) is not None:
             gains = bool(actions & set(GAINS)) or spec.speed == 0 or spec.type in ON_FOOT  # these set out
@@ -80,8 +81,8 @@ def dynamics(requirement: Requirement, evidence: Evidence) -> Result:
                 worst = (margin, said, seen, time)
     if worst is None:
         if evidence.motions(requirement.actor):
-            return scored(requirement, 1.0, "as its class moves", "it stands")
-        return unknown(requirement, "as its class moves", "not reached: it is not there")
+            return scored(requirement, 1.0, "within the limits of its class", "it stands")
+        return unknown(requirement, "within the limits of its class", "not judged: it is missing from the run")
     return scored(requirement, *worst)
 
 
@@ -123,7 +124,7 @@ def speed_kept(requirement: Requirement, evidence: Evidence) -> Result:
         held = moving[best : best + width]
         seen.append((1.0 - float(windows[best]) / room, float(np.median(held)), float(held.min()), float(held.max())))
     if not seen:
-        return unknown(requirement, said, "not reached: it is not there")
+        return unknown(requirement, said, "not judged: it is missing from the run")
     margin, typical, slowest, fastest = min(seen)
     steadily = f"at best from {slowest * 3.6:.0f} to {fastest * 3.6:.0f} km/h for {limits['held']['value']:g} s"
     return scored(requirement, margin, said, kmh(typical, typical) if margin >= 0 else steadily)
@@ -132,7 +133,7 @@ def speed_kept(requirement: Requirement, evidence: Evidence) -> Result:
 def stands_first(requirement: Requirement, evidence: Evidence) -> Result:
     found = [float(m.speed[0]) for m in evidence.motions(requirement.actor)]
     if not found:
-        return unknown(requirement, "stands", "not reached: it is not there")
+        return unknown(requirement, "stands", "not judged: it is missing from the run")
     return scored(requirement, (STANDING - max(found)) / STANDING, "stands", f"{max(found) * 3.6:.0f} km/h", 0.0)
 
 
@@ -146,7 +147,7 @@ def usual_speed(requirement: Requirement, evidence: Evidence) -> Result:
         seen = float(np.median(moving))
         return scored(requirement, min(seen - least, most - seen) / (0.25 * (most - least)),
                       f"{least:g} to {most:g} m/s", f"{seen:.1f} m/s")  # fmt: skip
-    return unknown(requirement, "a usual speed", "not reached: it does not move")
+    return unknown(requirement, "a usual speed", "not judged: it does not move")
 
 
 def steady(requirement: Requirement, evidence: Evidence) -> Result:
@@ -159,7 +160,7 @@ def steady(requirement: Requirement, evidence: Evidence) -> Result:
     worst, when = 0.0, None
     motions = evidence.motions(requirement.actor)
     if not motions:
-        return unknown(requirement, said, "not reached: it is not there")
+        return unknown(requirement, said, "not judged: it is missing from the run")
     ids = requirement.values["until"]
     assert isinstance(ids, tuple)
     until = min((t for key in ids if (t := evidence.times.get(str(key))) is not None), default=np.inf) - SMOOTH
@@ -197,7 +198,7 @@ def smooth(requirement: Requirement, evidence: Evidence) -> Result:
     often than S says changes of speed."""
     said, motion = "no surging", evidence.motion(requirement.actor)
     if motion is None:
-        return unknown(requirement, said, "not reached: it is not there")
+        return unknown(requirement, said, "not judged: it is missing from the run")
     limit = bounds()["speed"]["surge"]["value"]
     turns = _extremes(motion.smooth, motion.at(bounds()["natural"]["settles"]["value"]), limit)
     speed = motion.smooth
@@ -267,7 +268,7 @@ def no_aiming(requirement: Requirement, evidence: Evidence) -> Result:
     found = evidence.contacts(requirement.actor, requirement.other or EGO)
     motion = evidence.motion(requirement.actor)
     if not found or motion is None:
-        return unknown(requirement, said, "not reached: the two do not touch")
+        return unknown(requirement, said, "not judged: the two did not collide")
     window = slice(motion.at(found[0].time - limits["before"]["value"]), None)
     speed, aside = motion.smooth[window], motion.of_course("aside")[window]
     gained = float((speed - np.minimum.accumulate(speed)).max()) if not requirement.values["gains"] else 0.0

@@ -38,14 +38,14 @@ def required(scene: Scene) -> Iterator[Requirement]:
     for actor, target in pairs:
         name, other = scene.named(actor), scene.named(target)
         index, phase = next((i, p) for a, i, p in scene.phases() if a == actor and p.action == "collide")
-        yield scene.make("outcome", "contact", actor, f"phases.{index}.contact", f"{name} and {other} touch.",
+        yield scene.make("outcome", "contact", actor, f"phases.{index}.contact", f"{name} and {other} collide.",
                          other=target)  # fmt: skip
         if _brakes_for(scene, actor, target):
             striker = actor if actor != EGO else target
             yield scene.make("outcome", "brakes_before", EGO, f"reaction.{striker}.before", f"Ego brakes for "
-                             f"{scene.named(striker)} before they touch.", other=striker)  # fmt: skip
+                             f"{scene.named(striker)} before they collide.", other=striker)  # fmt: skip
         if part := phase.part or _part(scene, actor):
-            yield scene.make("outcome", "part", actor, f"phases.{index}.part", f"{name} touches {other} with its "
+            yield scene.make("outcome", "part", actor, f"phases.{index}.part", f"{name} hits {other} with its "
                              f"{_words(part)}.", other=target, part=part, mine=True)  # fmt: skip
         if hit := phase.target_part or ("rear" if _in_line(scene, actor, target) else None):
             yield scene.make("outcome", "part", actor, f"phases.{index}.struck_part",
@@ -55,7 +55,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
         timed = [a for a, o in scene.objects.items() if o.placement.arrives is not None]
         meet = [(a, EGO) for a in timed if scene.stated(a, "placement.arrives") and _together(scene, a)]
         said = tuple(f"{a} {b}" for a, b in (*pairs, *(meet if scene.ego.reaction == "none" else ())))
-        text = "Nobody else touches anybody." if said else "Nobody touches anybody."
+        text = "There is no other collision." if said else "There is no collision."
         yield scene.make("outcome", "no_other_contact", EGO, "no_other_contact", text, component="T", pairs=said)
 
 
@@ -103,7 +103,7 @@ def contact(requirement: Requirement, evidence: Evidence) -> Result:
                       measured=(0.0, 0.0, 0.0))  # fmt: skip
     one, other = evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
     if one is None or other is None:
-        return unknown(requirement, "contact", "not reached: one of the two is not there")
+        return unknown(requirement, "contact", "not judged: one of the two is missing from the run")
     n = min(len(one.x), len(other.x))
     gap = float(box_distance(one.poses[:n], other.poses[:n], one.size, other.size).min())
     return scored(requirement, min(-0.05, -gap / 5), "contact", f"no nearer than {gap:.1f} m", due=to_meet(one, other),
@@ -114,7 +114,7 @@ def part(requirement: Requirement, evidence: Evidence) -> Result:
     found = evidence.contacts(requirement.actor, requirement.other or EGO)
     said = str(requirement.values["part"])
     if not found:
-        return unknown(requirement, _words(said), "not reached: the two do not touch")
+        return unknown(requirement, _words(said), "not judged: the two did not collide")
     first = found[0]
     mine = (evidence.components[first.one] == requirement.actor) == bool(requirement.values["mine"])
     seen, at = (first.part_one, first.at_one) if mine else (first.part_other, first.at_other)
@@ -157,7 +157,7 @@ def brakes_before(requirement: Requirement, evidence: Evidence) -> Result:
     limits, said = bounds()["reaction"]["braked"]["value"], "slower before they touch"
     ego = evidence.motion(EGO)
     if ego is None or not evidence.contacts(EGO, requirement.other or ""):
-        return unknown(requirement, said, "not reached: the two do not touch")
+        return unknown(requirement, said, "not judged: the two did not collide")
     before = ego.speed[ego.at(ego.time[-1] - bounds()["aiming"]["before"]["value"]) :]
     slower = float(before.max() - before[-1])
     return scored(requirement, (slower - limits) / limits, said, f"by {slower:.1f} m/s", float(ego.time[-1]))
@@ -170,7 +170,7 @@ def no_other_contact(requirement: Requirement, evidence: Evidence) -> Result:
     for c in evidence.facts.contacts:
         who = [evidence.components.get(name) or name for name in (c.one, c.other)]
         if frozenset(who) not in said:
-            return scored(requirement, -1.0, "no other contact", f"{c.one} and {c.other} touch", c.time)
+            return scored(requirement, -1.0, "no other contact", f"{c.one} and {c.other} collide", c.time)
     return scored(requirement, 1.0, "no other contact", "none")
 
 

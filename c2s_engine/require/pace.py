@@ -36,16 +36,16 @@ def required(scene: Scene) -> Iterator[Requirement]:
     if any(p.trigger and p.trigger.place == "merge_end" for _, _, p in scene.phases()):
         timed = max(timed, bounds()["pace"]["merge"]["value"])  # the whole acceleration lane comes first
     lasting = max((high(p.duration) for _, _, p in scene.phases() if p.duration is not None), default=0.0)
-    yield scene.make("pace", "first_event", EGO, "pace.first", "What is said begins within seconds, not at once.",
+    yield scene.make("pace", "first_event", EGO, "pace.first", "The first event comes within seconds, not at once.",
                      component="T", of=ids, timed=timed)  # fmt: skip
     spec = scene.structure.restrictions.spec
     if getattr(spec, "duration", None) is None or not scene.stated("T", "duration"):
-        yield scene.make("pace", "soon_over", EGO, "pace.over", "The run is over soon after the last of what is said.",
+        yield scene.make("pace", "soon_over", EGO, "pace.over", "The run ends soon after the last event.",
                          component="T", of=ids, then=tuple(then), lasting=lasting, reacts=scene.ego.reaction != "none",
                          round=scene.place.kind == "roundabout")  # fmt: skip
-    yield scene.make("pace", "not_cut_short", EGO, "pace.whole", "The run does not end amid what somebody is doing.",
+    yield scene.make("pace", "not_cut_short", EGO, "pace.whole", "The run does not end in the middle of an action.",
                      component="T")  # fmt: skip
-    yield scene.make("pace", "no_dead_time", EGO, "pace.dead", "There is no long time in which nothing happens.",
+    yield scene.make("pace", "no_dead_time", EGO, "pace.dead", "There is no long stretch without an event.",
                      component="T", of=ids, lasting=max(lasting, timed))  # fmt: skip
 
 
@@ -132,7 +132,7 @@ def first_event(requirement: Requirement, evidence: Evidence) -> Result:
     said, moments = f"within {least:g} to {most:g} s", _moments(requirement, evidence)
     moments = [m for m in moments if m > 0.0] or moments  # what is so from the first is no event
     if not moments:
-        return unknown(requirement, said, "not reached: nothing of what is said was seen")
+        return unknown(requirement, said, "not judged: none of the described events occurred")
     return scored(requirement, min(moments[0] - least, most - moments[0]), said, f"{moments[0]:.1f} s", moments[0],
                   measured=(moments[0], least, most))  # fmt: skip
 
@@ -141,7 +141,7 @@ def soon_over(requirement: Requirement, evidence: Evidence) -> Result:
     limit = bounds()["pace"]["after"]["value"] + float(requirement.values["lasting"])  # type: ignore[arg-type]
     said, moments = f"at most {limit:g} s later", _moments(requirement, evidence)
     if not moments:
-        return unknown(requirement, said, "not reached: nothing of what is said was seen")
+        return unknown(requirement, said, "not judged: none of the described events occurred")
     after = evidence.end - _last(requirement, moments, evidence)
     return scored(requirement, (limit - after) / 2.0, said, f"{after:.1f} s later", evidence.end,
                   measured=(after, 0.0, limit))  # fmt: skip
@@ -151,7 +151,7 @@ def no_dead_time(requirement: Requirement, evidence: Evidence) -> Result:
     limit = max(bounds()["pace"]["dead"]["value"], float(requirement.values["lasting"]) + 2.0)  # type: ignore[arg-type]
     said, moments = f"at most {limit:g} s between two events", _moments(requirement, evidence)
     if not moments:
-        return unknown(requirement, said, "not reached: nothing of what is said was seen")
+        return unknown(requirement, said, "not judged: none of the described events occurred")
     all_of = sorted({0.0, *moments, *(c.time for c in evidence.facts.contacts), *_speed_moments(evidence)})
     gap, at = max(((b - a), a) for a, b in zip(all_of, all_of[1:], strict=False)) if len(all_of) > 1 else (0.0, 0.0)
     return scored(requirement, (limit - gap) / 2.0, said, f"{gap:.1f} s", at)

@@ -60,7 +60,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
         towards = f" ({scene.named(phase.target)})" if phase.target else ""
         check = "breaks_off" if phase.abandoned and phase.action in moments.OVER_LINE else "shown"
         check = "halts_before" if phase.abandoned and phase.action == "cross_road" else check
-        said += " begun and broken off" if check != "shown" else ""
+        said += " started and aborted" if check != "shown" else ""
         seen = scene.make("phase", check, actor, f"{path}.{phase.action}", f"{name}: {said}{towards}.",
                           other=phase.target, **values)  # type: ignore[arg-type]  # fmt: skip
         yield seen
@@ -69,8 +69,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if phase.action not in LASTING:
             gives_way = phase.action == "yield" and i > 0 and scene.actors[actor].phases[i - 1].action in SLOWS
             if after and not gives_way:  # slowing down is how it does that
-                yield scene.make("order", "in_order", actor, f"{path}.order", f"{name}: {said} comes after what is "
-                                 "said before it.", first=after, second=seen.id)  # fmt: skip
+                yield scene.make("order", "in_order", actor, f"{path}.order", f"{name}: {said} comes after its "
+                                 "previous phase.", first=after, second=seen.id)  # fmt: skip
             before[actor] = seen.id, phase
     yield from _awaited(scene)
     yield from moments.delays(scene)
@@ -164,7 +164,7 @@ def shown(requirement: Requirement, evidence: Evidence) -> Result:
     said = action.replace("_", " ")
     motions = evidence.motions(requirement.actor)
     if not motions:
-        return unknown(requirement, said, "not reached: the actor is not there")
+        return unknown(requirement, said, "not judged: the actor is not there")
     earliest = evidence.times.get(str(requirement.values.get("after"))) or 0.0
     found = [_moment(requirement, evidence, m, action, earliest) for m in motions]
     missing = [m for m, t in zip(motions, found, strict=True) if t is None]
@@ -251,7 +251,7 @@ def by_speed(motion: Motion, action: str, duration: float, change: float = np.in
 def _missed(requirement: Requirement, evidence: Evidence, motion: Motion, action: str, said: str) -> Result:
     """What was seen instead, and how far it is from what is said."""
     instead = list(dict.fromkeys(e.event.replace("_", " ") for e in motion.facts.events))
-    seen = f"not seen; instead: {', '.join(instead[:4])}" if instead else "nothing of note"
+    seen = f"did not occur; instead: {', '.join(instead[:4])}" if instead else "no notable event"
     seen += f"; its behavior ended at line {motion.facts.line} of the program" if motion.facts.line else ""
     margin = -1.0
     if action == "brake":
@@ -273,7 +273,7 @@ def in_order(requirement: Requirement, evidence: Evidence) -> Result:
     first = evidence.times.get(str(requirement.values["first"]))
     second = evidence.times.get(str(requirement.values["second"]))
     if first is None or second is None:
-        return unknown(requirement, "in this order", "not reached: one of the two was not seen")
+        return unknown(requirement, "in this order", "not judged: one of the two events did not occur")
     room = bounds()["order"]["room"]["value"]
     seen = f"{first:.1f} s, then {second:.1f} s"
     if first - room <= second < first:
@@ -313,7 +313,7 @@ def to_side(requirement: Requirement, evidence: Evidence) -> Result:
     motion, time = _when(requirement, evidence)
     said = str(requirement.values["side"])
     if motion is None or time is None:
-        return unknown(requirement, said, "not reached: it was not seen")
+        return unknown(requirement, said, "not judged: the action did not occur")
     begins = str(requirement.values["of"]).endswith(".swerve")  # the others are seen once they are over
     aside, first = motion.of_course("aside"), motion.at(time - (0.5 if begins else 4.0))
     moved = aside[first : motion.at(time + 3.0) + 1] - aside[first]
@@ -326,7 +326,7 @@ def to_side(requirement: Requirement, evidence: Evidence) -> Result:
 def in_junction(requirement: Requirement, evidence: Evidence) -> Result:
     motion, time = _when(requirement, evidence)
     if motion is None or time is None:
-        return unknown(requirement, "in the junction", "not reached: it was not seen")
+        return unknown(requirement, "in the junction", "not judged: the action did not occur")
     inside = [s for s in motion.course.stays if s.kind == "junction"]
     if not inside:
         return decided(requirement, False, "in the junction", "in no junction", time)
@@ -340,7 +340,7 @@ def near_place(requirement: Requirement, evidence: Evidence) -> Result:
     place, within = str(requirement.values["place"]), float(requirement.values["within"])  # type: ignore[arg-type]
     said = f"within {within:g} m of the {place}" if within else f"at the {place}"
     if motion is None or time is None:
-        return unknown(requirement, said, "not reached: it was not seen")
+        return unknown(requirement, said, "not judged: the action did not occur")
     kind = {"intersection": "junction", "merge_end": "merge"}.get(place, "crosswalk")
     if str(requirement.values.get("action")) in moments.SIDEWAYS:
         time = moments.onset(motion, str(requirement.values["action"]), time)
@@ -365,7 +365,7 @@ def at_distance(requirement: Requirement, evidence: Evidence) -> Result:
     v, other = requirement.values, evidence.motion(requirement.other or EGO)
     least, most = span(requirement)
     if motion is None or other is None or time is None:
-        return unknown(requirement, f"{most:g} m away", "not reached: it was not seen")
+        return unknown(requirement, f"{most:g} m away", "not judged: the action did not occur")
     if str(v["action"]) in (*moments.SIDEWAYS, *moments.SETS_OUT):
         time = moments.onset(motion, str(v["action"]), time)
     if v.get("hidden"):  # it is as it comes out that ego is so far away
@@ -385,7 +385,7 @@ def rate(requirement: Requirement, evidence: Evidence) -> Result:
     motion, time = _when(requirement, evidence)
     least, most = span(requirement)
     if motion is None or time is None:
-        return unknown(requirement, f"{least:g} m/s2", "not reached: it was not seen")
+        return unknown(requirement, f"{least:g} m/s2", "not judged: the action did not occur")
     window = -motion.acceleration[motion.at(time - 4.0) : motion.at(time + 6.0) + 1]
     braking = window[window > 0.5 * float(window.max())]
     seen = float(np.median(braking)) if len(braking) else 0.0
@@ -398,7 +398,7 @@ def reaches(requirement: Requirement, evidence: Evidence) -> Result:
     motion, time = _when(requirement, evidence)
     least, most = span(requirement)
     if motion is None or time is None:
-        return unknown(requirement, kmh(least, most), "not reached: it was not seen")
+        return unknown(requirement, kmh(least, most), "not judged: the action did not occur")
     speed = motion.speed[motion.at(time) :]
     off = np.maximum(0.0, np.maximum(least - speed, speed - most))
     room = max(bounds()["speed"]["share"]["value"] * most, bounds()["speed"]["least"]["value"])

@@ -25,7 +25,7 @@ def another_scene(actor: str, one: Evidence, other: Evidence) -> str | None:
     for who in (EGO, actor):
         a, b = one.motion(who), other.motion(who)
         if a is None or b is None or np.hypot(a.x[0] - b.x[0], a.y[0] - b.y[0]) > limit:
-            return f"cannot be judged: without its reaction the scene is another ({who} starts elsewhere)"
+            return f"not judged: without ego's reaction the scene differs ({who} starts elsewhere)"
     return None
 
 
@@ -48,12 +48,12 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
     least, most = limits["least"]["value"], limits["most"]["value"]
     said = f"{least:g} to {most:g} s after the cause can be seen"
     if evidence.without is None:
-        return unknown(requirement, said, "cannot be judged: the scene was not run with ego's reaction switched off")
+        return unknown(requirement, said, "not judged: there was no run with ego's reaction switched off")
     if (why := another_scene(requirement.other or "", evidence, evidence.without)) is not None:
         return unknown(requirement, said, why)
     members = [m for m in evidence.motions(requirement.other or "") if m.course.sight]
     if not members:
-        return unknown(requirement, said, "cannot be judged: what ego can see was not recorded")
+        return unknown(requirement, said, "not judged: what ego can see was not recorded")
     time = reaction_time(evidence)
     if time is None:
         return scored(requirement, -1.0, said, "ego does not react")
@@ -63,7 +63,7 @@ def reacts(requirement: Requirement, evidence: Evidence) -> Result:
         causes += [cue for cue in cues if cue is not None]
     time = _next_reaction(requirement, evidence, time, min(causes, default=0.0))
     if not causes:
-        return scored(requirement, -1.0, said, f"ego reacts at {time:.1f} s to what it never could see", time)
+        return scored(requirement, -1.0, said, f"ego reacts at {time:.1f} s to something it could never see", time)
     cause = min(causes)
     if (far := _far_from(members, requirement, evidence)) is not None:
         return scored(requirement, -1.0, said, f"ego reacts to another: it comes no nearer than {far:.0f} m", time)

@@ -14,7 +14,7 @@ def scored(requirement: Requirement, margin: float, said: str, seen: str, time: 
     """It holds where the margin is not negative. `margin`: 1 is comfortable; `measured`: the number that was, and
     between which it must lie; `due`: s by which the actor should be later (below 0: earlier) for it to hold."""
     if math.isnan(margin):
-        return unknown(requirement, said, "cannot be judged: nothing was recorded of it")
+        return unknown(requirement, said, "not judged: nothing was recorded of it")
     margin = max(-MOST, min(MOST, margin))
     return Result(
         requirement=requirement.id, holds=margin >= 0, robustness=round(margin, 3), said=said, seen=seen, why=why,

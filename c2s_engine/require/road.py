@@ -21,22 +21,22 @@ def required(scene: Scene) -> Iterator[Requirement]:
         return scene.make("road", check, EGO, path, text, component="R", **values)  # type: ignore[arg-type]
 
     if scene.structure.place.recognised and place.kind in ("intersection", "straight", "road", "curve"):
-        yield make("road_kind", "kind", f"Ego's way leads over this kind of place: {place.kind}.", place=place.kind)
+        yield make("road_kind", "kind", f"Ego's path leads through this kind of place: {place.kind}.", place=place.kind)
     if place.arms and scene.stated("R", "arms"):
         yield make(
             "road_fact", "arms", f"{place.arms} roads meet there.", fact="intersection", value=f"{place.arms}way"
         )
     if place.control in SIGNS:
-        yield make("infrastructure", "control", f"A {place.control} regulates ego's approach.",
+        yield make("infrastructure", "control", f"Ego's approach is controlled by: {place.control}.",
                    value=SIGNS[place.control])  # fmt: skip
     elif place.control == "none":
         yield make("road_fact", "control", "No light regulates ego's approach.", fact="signalized", value=False)
     if place.crosswalk or place.kind == "crosswalk":
-        yield make("infrastructure", "crosswalk", "A crosswalk lies on ego's way.", value="crosswalk")
+        yield make("infrastructure", "crosswalk", "There is a crosswalk on ego's path.", value="crosswalk")
     if place.lanes and scene.stated("R", "lanes"):
         yield make("lanes", "lanes", f"At least {place.lanes} lanes lead in ego's direction.", value=place.lanes)
     if place.oncoming is not None and scene.stated("R", "oncoming"):
-        text = "A lane of the other direction adjoins." if place.oncoming else "No lane of the other direction adjoins."
+        text = "There is an adjacent oncoming lane." if place.oncoming else "There is no adjacent oncoming lane."
         yield make("road_fact", "oncoming", text, fact="oncoming_lane", value=place.oncoming)
     if place.distance is not None and scene.stated("R", "distance") and place.kind in ("intersection", "crosswalk"):
         yield make("distance_to", "distance", f"Ego starts {low(place.distance):g} m before the {place.kind}.",
@@ -110,7 +110,7 @@ def light(requirement: Requirement, evidence: Evidence) -> Result:
     if seen in SHOWN_AS.get(said, ()):
         seen = said
     if seen == "":
-        return unknown(requirement, said, "not reached: ego never came near the light")
+        return unknown(requirement, said, "not judged: ego never came near the light")
     return decided(requirement, seen == said, said, seen or "there is no light")
 
 

@@ -41,13 +41,13 @@ def required(scene: Scene) -> Iterator[Requirement]:
                              "at its line.")  # fmt: skip
         reacting = actor == EGO and scene.ego.reaction != "none"
         if not actions & set(STANDS) and spec.speed != 0 and not reacting:
-            yield scene.make("rules", "stands_for", actor, "stands_for", f"{name} does not stand in a lane without a "
+            yield scene.make("rules", "stands_for", actor, "stands_for", f"{name} does not stop in a lane without a "
                              "reason.")  # fmt: skip
 
 
 def unseen(requirement: Requirement, evidence: Evidence) -> Result:
     event = str(requirement.values["event"])
-    said = {"run_red": "no entering on red", "run_stop": "a stand at the stop sign"}[event]
+    said = {"run_red": "no entering on red", "run_stop": "a full stop at the stop sign"}[event]
     for o in evidence.members(requirement.actor):
         time = next((e.time for e in o.events if e.event == event), None)
         if time is not None:
@@ -101,7 +101,7 @@ def stands_for(requirement: Requirement, evidence: Evidence) -> Result:
     limits = bounds()["rules"]
     motions = evidence.motions(requirement.actor)
     if not motions:
-        return unknown(requirement, "no stand without a reason", "not reached: it is not there")
+        return unknown(requirement, "no stand without a reason", "not judged: it is missing from the run")
     for motion in motions:
         front, gone = motion.of_course("along") + motion.size[0] / 2, passed_ego_since(motion, evidence)
         for first, last in _stands(motion):

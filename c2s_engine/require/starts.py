@@ -56,13 +56,14 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
                          over=sign * place.lanes_over)  # fmt: skip
     beside = place.position in ("beside", "left_lane", "right_lane") and place.of == EGO
     if lanes and not beyond and not (beside and scene.place.kind == "on_ramp"):  # by the ramp, not yet next to it
-        yield scene.make("start", "start_lane", actor, "placement.position", f"{name} starts {where} of {of}.",
+        text = f"{name} starts, relative to {of}: {where}."
+        yield scene.make("start", "start_lane", actor, "placement.position", text,
                          other=place.of, lanes=tuple(str(lane) for lane in lanes), where=where)  # fmt: skip
     along = {"abreast": "abreast"}.get(str(place.along)) or place.along or LENGTHWISE.get(place.position)
     along = "abreast" if place.position == "beside" and place.along is None else along
     along = None if place.along is None and place.hidden_by is not None else along  # where it is not seen
     if along and not (along == "ahead" and place.gap is not None and low(place.gap) <= 0):
-        yield scene.make("start", "start_along", actor, "placement.along", f"{name} starts {along} of {of}.",
+        yield scene.make("start", "start_along", actor, "placement.along", f"{name} starts, relative to {of}: {along}.",
                          other=place.of, along=str(along))  # fmt: skip
     side = SIDEWAYS.get(place.position) or place.side
     if side and (place.position != "beside" or spec.type in RIDERS):
@@ -199,7 +200,7 @@ def comes_hidden(requirement: Requirement, evidence: Evidence) -> Result:
     half = bounds()["start"]["half_lane"]["value"]
     there = np.flatnonzero(np.abs(motion.of_course("ego_aside")) < half) if motion else np.zeros(0, int)
     if motion is None or not len(there):
-        return unknown(requirement, said, "not reached: it does not come into ego's lane")
+        return unknown(requirement, said, "not judged: it never enters ego's lane")
     came = float(motion.time[there[0]])
     times = np.arange(max(0.0, came - bounds()["start"]["comes"]["value"]), came, motion.step)
     shown = [next((s for t, s in reversed(motion.course.sight) if t <= time), True) for time in times]

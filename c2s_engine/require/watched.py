@@ -58,9 +58,10 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if c.kind == "closest":
             least, most = c.minimum or 0.0, c.maximum if c.maximum is not None else np.inf
             one, other = scene.named(c.subject), scene.named(c.other or EGO)
-            room = f"no nearer than {least:g} m" if np.isinf(most) else f"within {least:g} to {most:g} m"
-            yield scene.make("outcome", "closest", c.subject, f"require.{i}", f"{one} and {other} come {room} of one "
-                             "another.", other=c.other or EGO, component="T", least=least, most=most)  # fmt: skip
+            room = f"at least {least:g} m" if np.isinf(most) else f"{least:g} to {most:g} m"
+            text = f"The smallest gap between {one} and {other} is {room}."
+            yield scene.make("outcome", "closest", c.subject, f"require.{i}", text, other=c.other or EGO, component="T",
+                             least=least, most=most)  # fmt: skip
 
 
 def words(scene: Scene, t: Trigger, actor: str) -> str:
@@ -187,13 +188,13 @@ def _follows(requirement: Requirement, begun: float, due: float, said: str, seen
 
 
 def begins_when(requirement: Requirement, evidence: Evidence) -> Result:
-    v, said = requirement.values, "as that comes about"
+    v, said = requirement.values, "when its trigger condition becomes true"
     motion, seen = evidence.motion(requirement.actor), evidence.times.get(str(v["of"]))
     if motion is None or seen is None:
-        return unknown(requirement, said, "not reached: it was not seen")
+        return unknown(requirement, said, "not judged: the action did not occur")
     since = comes_about(requirement, evidence)
     if since is None:
-        return decided(requirement, False, said, f"at {seen:.1f} s, and that never comes about", seen)
+        return decided(requirement, False, said, f"at {seen:.1f} s, but the condition never became true", seen)
     if float(v["value"]) < 0 and v["watched"] in NEAR:  # type: ignore[arg-type]
         return _near(requirement, evidence, moments.onset(motion, str(v["action"]), seen))
     due = since + float(v["delay"])  # type: ignore[arg-type]
@@ -205,7 +206,7 @@ def begins_when(requirement: Requirement, evidence: Evidence) -> Result:
         begun = min(max(begun, due), seen)
     if v["place"] == "in_intersection" and v["action"] in STANDS and _inside(motion, seen):
         begun = due  # wherever it is in there that it comes to stand
-    return _follows(requirement, begun, due, said, f"{begun:.1f} s, that at {since:.1f} s")
+    return _follows(requirement, begun, due, said, f"{begun:.1f} s, condition true at {since:.1f} s")
 
 
 def _inside(motion: Motion, time: float) -> bool:
@@ -226,20 +227,21 @@ def _near(requirement: Requirement, evidence: Evidence, begun: float) -> Result:
 
 
 def ends_when(requirement: Requirement, evidence: Evidence) -> Result:
-    v, said = requirement.values, "until that comes about"
+    v, said = requirement.values, "until its end condition becomes true"
     motion, seen = evidence.motion(requirement.actor), evidence.times.get(str(v["of"]))
     if motion is None or seen is None:
-        return unknown(requirement, said, "not reached: it was not seen")
+        return unknown(requirement, said, "not judged: the action did not occur")
     since = comes_about(requirement, evidence)
     if since is None:
-        return decided(requirement, False, said, "that never comes about", seen)
+        return decided(requirement, False, said, "the condition never became true", seen)
     if str(v["action"]) not in STANDS:
-        return decided(requirement, since >= seen - 0.5, said, f"that at {since:.1f} s, begun at {seen:.1f} s", since)
+        found = f"condition true at {since:.1f} s, started at {seen:.1f} s"
+        return decided(requirement, since >= seen - 0.5, said, found, since)
     moves = np.flatnonzero((motion.speed > STANDING) & (motion.time > max(seen, since - 2.0)))
     if not len(moves):
         return decided(requirement, False, said, "it does not move again", since)
     moved = float(motion.time[moves[0]])
-    return _follows(requirement, moved, since, said, f"moves at {moved:.1f} s, that at {since:.1f} s")
+    return _follows(requirement, moved, since, said, f"moves at {moved:.1f} s, condition true at {since:.1f} s")
 
 
 def _clearance(scene: Scene, actor: str, path: str, phase: Phase) -> Iterator[Requirement]:
@@ -260,7 +262,7 @@ def clearance(requirement: Requirement, evidence: Evidence) -> Result:
     v, one, other = requirement.values, evidence.motion(requirement.actor), evidence.motion(requirement.other or EGO)
     said = f"{v['least']:g} m"
     if one is None or other is None:
-        return unknown(requirement, said, "not reached: one of the two is not there")
+        return unknown(requirement, said, "not judged: one of the two is missing from the run")
     n = min(len(one.x), len(other.x))
     gaps = box_distance(one.poses[:n], other.poses[:n], one.size, other.size)
     at = int(gaps.argmin())
@@ -282,7 +284,7 @@ def closest(requirement: Requirement, evidence: Evidence) -> Result:
     least, most = float(v["least"]), float(v["most"])  # type: ignore[arg-type]
     said = f"no nearer than {least:g} m" if np.isinf(most) else f"{least:g} to {most:g} m at the nearest"
     if one is None or other is None:
-        return unknown(requirement, said, "not reached: one of the two is not there")
+        return unknown(requirement, said, "not judged: one of the two is missing from the run")
     n = min(len(one.x), len(other.x))
     gaps = box_distance(one.poses[:n], other.poses[:n], one.size, other.size)
     at = int(gaps.argmin())
@@ -298,16 +300,16 @@ def light_turns(requirement: Requirement, evidence: Evidence) -> Result:
     said = f"turns {v['turns']} then"
     due = comes_about(requirement, evidence)
     if ego is None or due is None:
-        return unknown(requirement, said, "not reached: that never comes about")
+        return unknown(requirement, said, "not judged: its condition never became true")
     due += float(v["delay"])  # type: ignore[arg-type]
     turns = list(_shows(ego, evidence, str(v["turns"])))
     if not turns:
-        return decided(requirement, False, said, "it never shows that")
+        return decided(requirement, False, said, "the light never turns that colour")
     if v["watched"] == "time" and float(v["value"]) < 0:  # type: ignore[arg-type]  # no moment is said
         due = turns[0]
     nearest = min(turns, key=lambda t: abs(t - due))
     room = bounds()["order"]["turns"]["value"]
-    seen = f"{nearest:.1f} s, that at {due:.1f} s"
+    seen = f"{nearest:.1f} s, condition true at {due:.1f} s"
     return scored(requirement, 1.0 - abs(nearest - due) / room, said, seen, nearest)
 
 

@@ -98,7 +98,7 @@ def answered(question: str, shown: Finished | None) -> str:
     for pattern, answer in TOPICS:
         if re.search(pattern, question, re.I) and not (answer == _requirements and about.asks.fact):
             if (answer in NEEDS_RUN or answer == _braked and not about.why) and not shown.facts:
-                return "The program has not been run, so nothing is known of that: F5 (or `c2s run`) runs it."
+                return "The program has not been run yet: F5 (or `c2s run`) runs it."
             if said := answer(about):
                 return f"{hedged(about.asks) if answer in HEDGED else ''}{said}"
     if about.why_not and about.named:  # on what S rests is no answer to that
@@ -197,7 +197,7 @@ def _in_the_run(asked: _QuestionContext) -> str:
     if not re.search(r"\bpet\b|\bencroachment\b", asked.text, re.I):
         return _near(asked)
     crossed = [p for p in _pairs(asked) if p.pet_s is not None]
-    return " ".join(map(_pair, crossed)) or "There is none in the run: no ways that cross."
+    return " ".join(map(_pair, crossed)) or "There is none in the run: no paths cross."
 
 
 def _why_collided(asked: _QuestionContext, found: Sequence[Collision]) -> str:
@@ -220,7 +220,7 @@ def _why_collided(asked: _QuestionContext, found: Sequence[Collision]) -> str:
         lines.append(f"Before: {'; '.join(f'{name} {_event(e)}' for _, name, e in before[-8:])}.")
     if here is not None and not any(e.event in BRAKES and e.time < hit.time for e in here.events):
         spec = asked.structure.ego.spec
-        why = ", and S says no reaction of ego" if isinstance(spec, EgoSpec) and spec.reaction == "none" else ""
+        why = ": S gives ego no reaction" if isinstance(spec, EgoSpec) and spec.reaction == "none" else ""
         lines.append(f"Ego does not brake before{why}.")
     return " ".join(lines)
 
@@ -229,7 +229,7 @@ def _near(asked: _QuestionContext) -> str:
     if re.search(r"\b(?:start|begin)\w*\b|\bat first\b", asked.text, re.I) and (said := _apart_at_start(asked)):
         return said
     if asked.two_others and not _pairs(asked):
-        return "How near these come to each other was not measured: only how near they come to ego."
+        return "The gap between these two was not measured, only their gaps to ego."
     stops = _stopped(asked) if re.search(_STOPPED, asked.text, re.I) else ""
     return " ".join([*(_pair(p) for p in _pairs(asked)[:4]), *([stops] if stops else [])])
 
@@ -287,7 +287,7 @@ def _why_braked(asked: _QuestionContext) -> str:
         how = "does not react" if spec.reaction == "none" else f"reacts to others: {spec.reaction.replace('_', ' ')}"
         said.append(f"S says that ego {how}" + (f" (assumed: {assumed})" if assumed else ""))
     if any("brake" in p.action or p.action == "stop" for p in spec.phases):
-        said.append("braking is one of the steps that S gives ego")
+        said.append("S gives ego a braking phase")
     here = next((o for o in asked.facts.objects if o.name == EGO), None) if asked.shown.facts else None
     first = next((e for e in here.events if e.event in BEGINS and e.time > 0), None) if here else None
     if here and first is None:

@@ -38,7 +38,7 @@ def hedged(asks: Question) -> str:
     if not asks.whether or not (asks.fact or asks.unread):
         return ""
     if asks.unread:
-        return f"I cannot say yes or no: “{asks.unread}” was not read. The run: "
+        return f"I cannot say yes or no: “{asks.unread}” was not understood. The run: "
     return f"I cannot say yes or no: whether “{asks.aside}” is not judged. The run: " if asks.aside else ""
 
 
@@ -67,7 +67,7 @@ def _denied(asks: Question, doers: Sequence[ObjectFacts]) -> str:
     if not doers or unsought:
         return ""
     if not asks.subject.cids:
-        return f"No: the run shows of nobody that they {asks.fact.verb}."
+        return f"No: in the run nobody is seen to {asks.fact.verb}."
     who, does = ", ".join(o.name for o in doers), "do" if len(doers) > 1 else "does"
     return f"No: {who} {does} not {asks.fact.verb} in the run."
 
@@ -79,7 +79,7 @@ def _in_order(asks: Question, found: Sequence[tuple[ObjectFacts, EventFact]], sa
     other = sorted(((o, e) for o in doers for e in o.events if e.event in asks.moment_fact.events),
                    key=lambda f: f[1].time)  # fmt: skip
     if not other:
-        return f"The run does not show that {asks.moment_fact.verb}; {said}."
+        return f"The run shows no “{asks.moment_fact.verb}”; {said}."
     then = f"{other[0][0].name} {event_phrase(other[0][1])} at {other[0][1].time:.1f} s"
     first, at = found[0][1].time, other[0][1].time
     if asks.moment not in ("before", "after"):

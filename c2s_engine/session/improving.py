@@ -45,11 +45,11 @@ async def improved(state: dict[str, Any], tools: Tools, method: ModelMethod, emi
         tried.append(found)
         return _outcome(found.structure, found.report.facts, found.judged)
 
-    emit(Say(text="The run does not show everything that the text says: the model is asked for a correction."))
+    emit(Say(text="The run misses some requirements of the text: asking the model for a correction."))
     try:
         best = await method.improve(first, evaluate, emit)
     except ModelError as error:
-        emit(Say(text=f"The run's differences could not be corrected. {error}", severity="warning"))
+        emit(Say(text=f"The model's correction failed. {error}", severity="warning"))
         return {"details": _details(state, method, first)}
     kept = next((t for t in tried if t.structure is best.structure), None)
     if kept is None:

@@ -127,7 +127,7 @@ async def resolve(
     if failed is not None and not looked:
         return _not_looked_up(failed)
     nearest = await _offers(structure, library, check, given) if offers else ""
-    lack = f"{given} has no such place" if given else "no map at hand has such a place"
+    lack = f"{given} has no such place" if given else "no available map has such a place"
     return Resolution(None, diagnostic=refusal(f"{lack}. {nearest}", "no-place", ("R",)))
 
 
@@ -258,7 +258,7 @@ async def _lacking(
     """
     if fields and (found := await _quietly(plain, library, check, choice.name)) is not None:
         together = listed([f"R.{field}" for field in fields])
-        return f"{together} left open together give {_places(found.count)} on {choice.name}"
+        return f"leaving {together} open gives {_places(found.count)} on {choice.name}"
     try:
         return f"It has no {TypedWriter(choice, room=ROOMS[-1]).candidates(plain)}, whatever else of R is left open"
     except ResolveError:

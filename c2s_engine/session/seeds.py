@@ -66,7 +66,7 @@ def verdict(rows: Sequence[SeedResult]) -> str:
             times[line.split(" Required:")[0]] = times.get(line.split(" Required:")[0], 0) + 1
     parts = [f"{passed} of {len(rows)} seeds passed"]
     if collided:
-        parts.append(f"{collided} with a collision that nobody asked for")
+        parts.append(f"{collided} with an unintended collision")
     if times:
         worst = max(times, key=lambda line: times[line])
         parts.append(f"missed most often ({times[worst]} of {len(rows)}): {worst}")

@@ -316,7 +316,7 @@ class Session:
                 self._journal.end(turn, Unread(text=turn.text, when=turn.when, replies=tuple(said)) if lost else None)
         path = self._path() if back == "undo" else []
         if last := self._last_change(path):
-            yield Say(text=f"Taken back: {path[last].text}")
+            yield Say(text=f"Undone: {path[last].text}")
         if back in ("undo", "redo"):
             async with aclosing(self.undo() if back == "undo" else self.redo()) as events:  # type: ignore[type-var]
                 async for event in events:

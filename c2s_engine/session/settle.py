@@ -195,7 +195,7 @@ def _without(structure: Structure, fields: tuple[str, ...], why: str) -> Structu
 
 def _instead(field: str, value: str, was: object, why: str) -> Assumption:
     said = "" if was is None else _value_text(was)
-    return Assumption(field=field, value=value, reason=f"it was {said or 'left open'}: {why}", was=said)
+    return Assumption(field=field, value=value, reason=f"originally {said or 'left open'}: {why}", was=said)
 
 
 def _value_text(value: object) -> str:

@@ -230,7 +230,7 @@ def outcome(finished: Finished, before: Structure) -> str:
     if [(c.id, c.spec, c.code) for c in before.components] == [
         (c.id, c.spec, c.code) for c in finished.structure.components
     ]:
-        return "Nothing was changed: S said that already."
+        return "Nothing was changed: S already says that."
     followed = [c for c in finished.details.get("in_place", []) if c in finished.structure]
     rewritten = finished.details.get("rewritten", [])
     written = [c for c in rewritten if c in finished.structure and c not in followed]
@@ -239,7 +239,7 @@ def outcome(finished: Finished, before: Structure) -> str:
     if not written:
         return f"{changed or 'Nothing had to be rewritten'}."
     kept = f"; {', '.join(stayed)} stayed as {'they were' if len(stayed) > 1 else 'it was'}" if stayed else ""
-    return f"{f'{changed}. ' if changed else ''}Written anew: {', '.join(written)}{kept}."
+    return f"{f'{changed}. ' if changed else ''}Rewritten: {', '.join(written)}{kept}."
 
 
 async def answer(

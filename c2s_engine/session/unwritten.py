@@ -16,7 +16,7 @@ def left(before: Structure, after: Structure, emit: Emit) -> Structure:
     new = [c.id for c in after.components if not c.code and c.id not in before]
     if before.ego.code and (stale or gone or new):
         which = ", ".join([*(c.id for c in stale), *new, *gone])
-        text = f"S was changed, but its program was not yet ({which}). The next turn tries again; undo reverts it."
+        text = f"S was changed, but its program not updated yet ({which}). The next turn tries again; undo reverts it."
         emit(Say(text=text, severity="warning"))
     return after
 

@@ -13,7 +13,7 @@ _WORDS = {"G": "settings|weather|time of day|map|rain|fog|night", "R": "place|ro
 _KINDS = {"text": "your words", "clause": "the source", "snippet": "the snippet", "chunk": "the documentation",
           "rule": "the rule"}  # fmt: skip
 
-KEPT = "its code was written by hand, and kept: it does not say what these fields say"
+KEPT = "its hand-written code was kept: it does not match these fields"
 
 
 def explained(question: str, structure: Structure) -> str:

@@ -19,7 +19,7 @@ def with_consequences(before: Structure, after: Structure) -> tuple[Structure, l
             continue
         if spec.speed != was.speed and spec.speed is not None and (slower := _as_fast(was, spec)) is not None:
             after = _with(after, component, slower)
-            said.append(f"{component.id} ({spec.name}) does at that speed what it did at {_words(was)}.")
+            said.append(f"{component.id} ({spec.name}): its first phase takes the new speed, too (was {_words(was)}).")
             continue
         old, new = (TOWARDS_EGO.get(s.placement.position) for s in (was, spec))
         phases = tuple(p.model_copy(update={"side": new}) if p.action == "cut_in" and p.side == old else p
@@ -32,13 +32,13 @@ def with_consequences(before: Structure, after: Structure) -> tuple[Structure, l
     gives_up = own.reaction == "yield" and ego.reaction == "none" and own.phases == ego.phases
     if gives_up and (kept := _without_yielding(ego)) != ego.phases:
         after = _with(after, after.ego, ego.model_copy(update={"phases": kept}))
-        said.append("Ego gives way to nobody any more: that is no phase of it now.")
+        said.append("Ego no longer gives way: its yield phase was removed.")
     was, place = before.place.spec, after.place.spec
     assert isinstance(was, PlaceSpec) and isinstance(place, PlaceSpec)
     too_few = place.lanes is not None and place.lanes < WITH_A_MIDDLE and place.lanes != was.lanes
     if too_few and place.ego_lane == was.ego_lane == "middle":
         after = _with(after, after.place, place.model_copy(update={"ego_lane": None}))
-        said.append(f"R: of {place.lanes} lanes none is the middle one: in which ego drives is left open now.")
+        said.append(f"R: {place.lanes} lanes have no middle one, so ego's lane is now left open.")
     return after, said
 
 

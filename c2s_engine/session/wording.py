@@ -60,7 +60,7 @@ async def _meant(before: Structure, after: Structure, cid: str, tools: Any) -> t
     except Unreadable as error:
         return [], whole, f"{cid}: the sentence is kept, the fields are unchanged: {error}"
     if becomes is None:
-        said = f"{cid}: the sentence is kept, the fields are unchanged: it was not understood as one of {cid}."
+        said = f"{cid}: the sentence is kept, the fields are unchanged: it does not read as a description of {cid}."
         return [], whole, said
     old = was.spec.model_dump(mode="json") if was is not None else {}
     new, assumed = becomes.spec.model_dump(mode="json"), {a.field.split(".")[0] for a in becomes.assumed}

@@ -24,6 +24,6 @@ def with_usual_reaction(structure: Structure) -> Structure:
     if ego.reaction != "none" or struck or evaded or not objects or any(p.action in HOLDS for p in ego.phases):
         return structure
     note = Assumption(field="reaction", value="brake", by=PLANNER,
-                      reason="nothing says how ego reacts: it brakes for what comes into its way")  # fmt: skip
+                      reason="ego's reaction is not specified: it brakes for anything entering its path")  # fmt: skip
     changed = {"spec": ego.model_copy(update={"reaction": "brake"}), "assumed": (*structure.ego.assumed, note)}
     return structure.with_component(structure.ego.model_copy(update=changed))

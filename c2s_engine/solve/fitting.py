@@ -64,8 +64,8 @@ def _lowered(structure: Structure, speeds: dict[Field, Quantity], share: float, 
         open_ = (cid, path) not in said or path in {a.field for a in structure[cid].assumed}
         now = round(low(speed) * share, 2), round(high(speed) * share, 2)
         was = "" if open_ else in_words(path, speed)
-        before = f"{was} was said" if was else "left open"
-        reason = f"{before}; the roads of {where} have room for {in_words(path, now)}"
+        before = f"{was} was specified" if was else "left open"
+        reason = f"{before}; the roads of {where} only allow {in_words(path, now)}"
         unknown = Unknown(cid, path, middle(speed))
         by = PLANNER if open_ else FITTED
         changed = chosen(changed, unknown, now[1] if now[0] == now[1] else now, reason, by, was)

@@ -20,7 +20,7 @@ STATUS_WORDS: dict[Status, str] = {
     "not_expressible": "not expressible",
     "not_understood": "not understood",
 }  # fmt: skip
-NOBODY = "no component took it up"
+NOBODY = "no component of S uses it"
 GONE = "{} is not in S"
 
 CLAUSE = 0.8
@@ -78,7 +78,7 @@ def requirements_met(structure: Structure, results: Sequence[Result], idle: Sequ
         return ""
     lost = count_lost_clauses(structure, idle)
     are = "clauses of the text are" if lost > 1 else "clause of the text is"
-    return f"{met} of {required} requirements met" + (f"; {lost} {are} not wholly in S" if lost else "")
+    return f"{met} of {required} requirements met" + (f"; {lost} {are} not fully in S" if lost else "")
 
 
 def covering(text: str, clauses: Sequence[Span] = ()) -> list[Span]:

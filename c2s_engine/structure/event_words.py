@@ -32,7 +32,7 @@ ACTS = {
     "collide": "collides",
 }  # fmt: skip
 """The actions of S in plain words."""
-ENDED = {"time": "its time was up", "terminated": "the program's end condition came true",
+ENDED = {"time": "time limit reached", "terminated": "the program's end condition was met",
          "collision": "a collision", "rejected": "no scene could be sampled",
          "error": "an error in the program", "cancelled": "cancelled"}  # fmt: skip
 

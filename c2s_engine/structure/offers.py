@@ -27,9 +27,9 @@ class Offer(BaseModel):
 def verdict(found: Sequence[Offer]) -> str:
     """What the offers say of S, in a sentence or two."""
     if not found:
-        return "No single number of the text was found with another value of which all that is required is shown."
+        return "No change of a single number in the text was found that meets all requirements."
     if len(found) == 1:
-        return f"All that is required is shown with one number changed: {found[0]}."
+        return f"All requirements are met with one number changed: {found[0]}."
     names = ", ".join(f"{o.component} {field_words(o.field)} {o.said}" for o in found)
     lines = "\n".join(f"- {o}" for o in found)
-    return f"These contradict one another: {names}. Any one of these would do:\n{lines}"
+    return f"These numbers contradict one another: {names}. Any one of these changes resolves it:\n{lines}"

@@ -74,13 +74,13 @@ def failures(requirements: Sequence[Requirement], results: Sequence[Result]) -> 
         if not result.holds and (required := known.get(result.requirement)) is not None:
             often = reasons[result.why] if result.holds is None else 0
             if often > SAME:
-                if (line := f"{often} of them: {result.why}.") not in lines:
+                if (line := f"{often} requirements: {result.why}.") not in lines:
                     lines.append(line)
                 continue
             seen = result.seen or result.why
             named = required.component in required.text or required.component == "E" and "ego" in required.text.lower()
             whose = "" if named else f"{required.component}: "
-            lines.append(f"{whose}{required.text} Required: {result.said}; the run: {seen or 'nothing of it'}.")
+            lines.append(f"{whose}{required.text} Required: {result.said}; the run: {seen or 'not observed'}.")
     return lines
 
 

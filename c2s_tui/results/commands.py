@@ -65,7 +65,7 @@ class ResultsCommands(Part):
         if not self.desk.results:
             await self.chat.note("There is no run to judge yet: describe a scenario, or press F5.", "error")
         elif all(r.holds for r in self.desk.results):
-            await self.chat.note("All that is required was shown: nothing contradicts.")
+            await self.chat.note("All requirements were met: nothing contradicts.")
         elif await self.bench.turns.may_begin():
             self.find_contradictions()
 

@@ -74,7 +74,7 @@ def _field(row: Row) -> Content:
     if row.judged:
         name = "unknown" if row.seen is None else "seen" if row.seen else "unseen"
         style = {"unknown": "$muted", "seen": "$text-success", "unseen": "$text-error"}[name]
-        word = {"unknown": "not run", "seen": "met", "unseen": "not met"}[name]
+        word = {"unknown": "not judged", "seen": "met", "unseen": "not met"}[name]
         same = row.achieved.replace(" ", "") == row.text.replace(" ", "")
         seen = f": {row.achieved}" if row.achieved and not same else ""
         parts.append((f"  {mark(name)} {word}{seen}", style))

@@ -107,7 +107,7 @@ def _component(
     if component.conflict is not None:
         lines.append(Row(f"{cid}:conflict", CONFLICT, cid, "written by hand, and its fields have changed since"))
     if component.by_hand == "apart":
-        lines.append(Row(f"{cid}:apart", LINK, cid, "your code was kept", "it does not say what these fields say"))
+        lines.append(Row(f"{cid}:apart", LINK, cid, "your code was kept", "it does not match these fields"))
     return lines
 
 

@@ -121,7 +121,7 @@ async def test_a_clause_that_makes_no_difference_is_counted_in_the_line_that_clo
     span = (CUT_IN.index(sentence), len(CUT_IN))
     stage.engine.idle = (Unmet(text=sentence, reason="S would be the same without it", span=span),)
     async with stage.described() as pilot:
-        lost = "1 clause of the text is not wholly in S"
+        lost = "1 clause of the text is not fully in S"
         await stage.until(pilot, lambda: any("3 of 3 requirements met" in line and lost in line for line in stage.said))
         assert "3 of 3 requirements met; 1 clause lost" in stage.bench.query_one("#status").content.plain
 
@@ -161,7 +161,7 @@ async def test_escape_closes_the_results_first_and_lets_the_turn_go_on(stage):
 async def test_what_contradicts_is_said_where_not_all_is_shown(stage):
     async with stage.described() as pilot:
         await stage.say(pilot, "/contradictions")
-        assert stage.said[-1] == "All that is required was shown: nothing contradicts."
+        assert stage.said[-1] == "All requirements were met: nothing contradicts."
     stage.engine.collides = True
     async with stage.described() as pilot:
         await stage.say(pilot, "/contradictions")
@@ -190,7 +190,7 @@ def test_what_was_given_up_stands_beside_the_requirements():
     met = (Result(requirement="1", holds=True, robustness=1.0),)
     desk = Desk(structure=structure, stages=(ran,), results=met, rewritten=("E",))
     said, kind = summary(desk)
-    assert said == "E written; runs; 1 of 1 requirements met; given up: E speed 130 km/h -> 91 km/h"
+    assert said == "E written; runs; 1 of 1 requirements met; changed from the text: E speed 130 km/h -> 91 km/h"
     assert kind == "warning"
 
 

@@ -39,7 +39,7 @@ async def test_speeds_are_lowered_for_the_room_there_is(engine, town, said, lowe
     for field, within in lowered.items():
         least, most = map(float, within.split(" to "))
         assert least <= float(notes[field].value.removesuffix(" km/h")) <= most
-        assert f"was said; the roads of {town} have room for" in notes[field].reason
+        assert f"was specified; the roads of {town} only allow" in notes[field].reason
     assert lowered or after == before
 
 

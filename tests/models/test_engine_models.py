@@ -66,7 +66,7 @@ async def test_a_scenario_a_change_a_question_and_what_is_picked(server):
         assert changed.ok and changed.structure["O1"].spec.type == "truck"
         assert "O1" in changed.details["rewritten"] and "R" not in changed.details["rewritten"]
         assert any("O1: A truck" in n for n in notes(events)), "what changed"
-        assert any(n.startswith("Written anew: ") and "O1" in n and "stayed" in n for n in notes(events))
+        assert any(n.startswith("Rewritten: ") and "O1" in n and "stayed" in n for n in notes(events))
         assert changed.structure["O2"] == done.structure["O2"] and changed.details["tokens"] > 0
 
         async def search(query, **options):

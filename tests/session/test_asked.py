@@ -58,7 +58,7 @@ SHOWN = Finished(
      ("what happened?", "2.9 s cyclist enters the road; 3.6 s ego brakes; 4.1 s cyclist hits ego"),
      ("was the cyclist hidden?", "cyclist is in ego's sight from the start."),
      ("did it work?",
-          "0 of 1 requirements met; 2 clauses of the text are not wholly in S.\nT: Nobody touches anybody."),
+          "0 of 1 requirements met; 2 clauses of the text are not fully in S.\nT: Nobody touches anybody."),
      ("what was not understood?", "0 of 2 clauses of the text are in S as understood.\n“Ego drives.”: not understood"),
      ("what did you assume?", "E: reaction brake (the text does not say)"),
      ("what was assumed of O1?", "Nothing was assumed."),
@@ -115,14 +115,15 @@ def test_two_others_than_ego_are_answered_for(question, words):
      ("did the cyclist brake?", "No: cyclist does not brake in the run."),
      ("did the van overtake ego?", "No: van does not overtake in the run."),
      ("did anybody brake?", "Yes: ego brakes at 3.6 s."),
-     ("did anybody else brake?", "No: the run shows of nobody that they brake."),
+     ("did anybody else brake?", "No: in the run nobody is seen to brake."),
      ("did ego brake before the cyclist entered the road?", "No: ego brakes at 3.6 s; cyclist enters the road"),
      ("did ego brake after the cyclist entered the road?", "Yes: ego brakes at 3.6 s; cyclist enters the road"),
      ("did the bus stop in time?", "There is no bus in this scene."),
      ("did ego stop in time?", "No: ego does not stop"),
      ("did ego brake because of the van?", "I cannot say yes or no: whether “because of the van” is not judged."),
-     ("did ego brake gracefully?", "I cannot say yes or no: “gracefully” was not read. The run: ego brakes at 3.6 s"),
-     ("did the van sing?", "I cannot say yes or no: “sing” was not read. The run: ")],
+     ("did ego brake gracefully?",
+      "I cannot say yes or no: “gracefully” was not understood. The run: ego brakes at 3.6 s"),
+     ("did the van sing?", "I cannot say yes or no: “sing” was not understood. The run: ")],
 )  # fmt: skip
 def test_yes_and_no_only_where_every_word_was_read(question, words):
     assert answered(question, TWO_OTHERS).startswith(words)
@@ -136,7 +137,7 @@ def test_what_somebody_is_says_nothing_of_what_he_did(question):
 
 def test_how_near_two_others_come_may_not_be_known():
     said = answered("how close did the van come to the cyclist?", TWO_OTHERS)
-    assert said == "How near these come to each other was not measured: only how near they come to ego."
+    assert said == "The gap between these two was not measured, only their gaps to ego."
 
 
 def test_why_ego_hit_somebody_is_told_by_what_it_saw_and_did():
@@ -152,7 +153,7 @@ def test_why_ego_hit_somebody_is_told_by_what_it_saw_and_did():
 
 
 def test_a_measure_is_explained_with_what_the_run_has_of_it():
-    assert answered("what is PET?", SHOWN).endswith("\nThere is none in the run: no ways that cross.")
+    assert answered("what is PET?", SHOWN).endswith("\nThere is none in the run: no paths cross.")
     pair = SHOWN.measures[0].pairs[0].model_copy(update={"pet_s": 0.8})
     shown = SHOWN.model_copy(update={"measures": (SHOWN.measures[0].model_copy(update={"pairs": (pair,)}),)})
     assert answered("what is PET?", shown).endswith("post-encroachment time 0.8 s.")
@@ -160,7 +161,8 @@ def test_a_measure_is_explained_with_what_the_run_has_of_it():
 
 @pytest.mark.parametrize(
     ("question", "words"),
-    [("why did the cyclist not stop?", "O1 (cyclist): stop. Required: stop; the run: not seen; instead: enter road.\n"
+    [("why did the cyclist not stop?",
+      "O1 (cyclist): stop. Required: stop; the run: did not occur; instead: enter road.\n"
       "In the run cyclist enters the road at 2.9 s; cyclist hits ego at 4.1 s."),
      ("why hasn't the cyclist stopped", "O1 (cyclist): stop. Required: stop"),
      ("why does O1 never stop?", "O1 (cyclist): stop. Required: stop"),
@@ -170,7 +172,7 @@ def test_a_measure_is_explained_with_what_the_run_has_of_it():
 )  # fmt: skip
 def test_why_something_is_not_so_is_answered_from_what_was_required_and_not_seen(question, words):
     stop = Requirement(id="O1.phases.0.stop", kind="phase", component="O1", text="O1 (cyclist): stop.", check="event")
-    missed = Result(requirement=stop.id, holds=False, said="stop", seen="not seen; instead: enter road")
+    missed = Result(requirement=stop.id, holds=False, said="stop", seen="did not occur; instead: enter road")
     shown = SHOWN.model_copy(update={"requirements": (REQUIRED, stop), "results": (*SHOWN.results, missed)})
     assert words in answered(question, shown)
 
@@ -259,7 +261,7 @@ def test_help_and_greetings(text, wants):
 
 def test_the_clauses_that_are_not_wholly_in_s_are_counted():
     assert requirements_met(Structure(), ()) == ""
-    told = "0 of 1 requirements met; 2 clauses of the text are not wholly in S"
+    told = "0 of 1 requirements met; 2 clauses of the text are not fully in S"
     assert requirements_met(STRUCTURE, SHOWN.results) == told
 
 

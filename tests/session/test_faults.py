@@ -70,7 +70,7 @@ async def test_a_model_that_dies_leaves_the_program_and_marks_what_is_to_be_writ
     assert not events[-1].ok and marked(events) == ["O1"]
     assert session.structure["O1"].description == VAN.description and session.structure["O1"].key == ""
     assert warnings(events) == [
-        "S was changed, but its program was not yet (O1). The next turn tries again; undo reverts it."
+        "S was changed, but its program not updated yet (O1). The next turn tries again; undo reverts it."
     ]
     server.respond, first = Programmer(), len(server.requests)
     await take(session.apply(SetDescription(component="T", description="The run ends after 9 s."), run=False))

@@ -62,7 +62,7 @@ def test_what_somebody_does_is_as_fast_as_is_said_of_it_now():
     before = scene(Phase(action="lane_change", side="left", speed=15.0), Phase(action="keep_lane"))
     after, said = with_consequences(before, apply(before, SetField(component="O1", path="speed", value=10.0)))
     assert after["O1"].spec.phases[0].speed is None and after["O1"].spec.speed == 10.0
-    assert said == ["O1 (lorry) does at that speed what it did at 54 km/h."]
+    assert said == ["O1 (lorry): its first phase takes the new speed, too (was 54 km/h)."]
     two = scene(Phase(action="lane_change", side="left", speed=15.0), Phase(action="brake", speed=5.0))
     assert with_consequences(two, apply(two, SetField(component="O1", path="speed", value=10.0)))[1] == []
 

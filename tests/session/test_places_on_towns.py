@@ -68,7 +68,7 @@ async def test_what_is_missing_is_named_where_no_single_field_is(engine):
     library, check = engine.library, engine.check_client
     narrow = asks(kind="straight", ego_lane="middle", shoulder=True, crosswalk=True)
     refused = await resolve(narrow, library, check, given="Town07")
-    assert "R.ego_lane, R.shoulder and R.crosswalk left open together give" in refused.diagnostic.message
+    assert "leaving R.ego_lane, R.shoulder and R.crosswalk open gives" in refused.diagnostic.message
     assert "town has it" in refused.diagnostic.message
 
     runs_stop = asks(kind="intersection", arms=4, manoeuvre="straight").with_component(

@@ -41,11 +41,11 @@ async def test_a_conversation(session):
     done, told = await take(session.say("make the lead a truck", run=False))
     assert done.ok and session.structure["O1"].spec.type == "truck"
     assert any("O1" in t and "truck" in t for t in told), "what changed"
-    written, stayed = next(t for t in told if t.startswith("Written anew: ")).split(";")
+    written, stayed = next(t for t in told if t.startswith("Rewritten: ")).split(";")
     assert "O1" in written and all(c in stayed for c in ("G", "R", "O2", "T")), "what was written, and what was not"
 
     done, told = await take(session.say("undo that"))
-    assert told == ["Taken back: make the lead a truck"] and session.structure.model_dump_json() == first
+    assert told == ["Undone: make the lead a truck"] and session.structure.model_dump_json() == first
     assert [t.text for t in session.history] == [TEXT] and session.can_redo
     await take(session.say("redo that"))
     assert session.structure["O1"].spec.type == "truck" and len(session.history) == 2
@@ -56,7 +56,7 @@ async def test_a_conversation(session):
         assert told and done.details["unchanged"]
         assert (session.structure.model_dump_json(), session.program.text) == before
     _, told = await take(session.say("undo that"))
-    assert told == ["Taken back: make the lead a truck"] and session.structure.model_dump_json() == first
+    assert told == ["Undone: make the lead a truck"] and session.structure.model_dump_json() == first
     await take(session.say("what is a cut-in?"))
     await take(session.say("redo that"))
     assert (session.structure.model_dump_json(), session.program.text) == before

@@ -57,6 +57,6 @@ def test_a_lowered_speed_counts_as_said():
     after = slower(scene(20.0), "Town07")[0]
     (note,) = after.ego.assumed
     assert (note.by, note.value) == (FITTED, "61.2 km/h")
-    assert note.reason == "72 km/h was said; the roads of Town07 have room for 61.2 km/h"
+    assert note.reason == "72 km/h was specified; the roads of Town07 only allow 61.2 km/h"
     assert Scene(after).stated("E", "speed")
     assert ("E", "speed") not in {(u.component, u.path) for u in unknowns(after, usual_values(after, 1.0))}

@@ -45,7 +45,7 @@ def test_each_clause_says_what_became_of_it() -> None:
         ("and its horn sounds.", "not_expressible", (), "nothing can be heard"),
         ("Police came.", "background", (), "authorities"),
         ("A zeppelin sang.", "not_understood", (), "strange"),
-        ("It was odd.", "not_understood", (), "no component took it up"),
+        ("It was odd.", "not_understood", (), "no component of S uses it"),
     ]
 
 

@@ -25,8 +25,8 @@ from c2s_engine.structure.components import Component, Link, Structure, Unmet
 Span = tuple[int, int]
 
 STRANGE = "“{}” was not read as something that a road user does"
-NOTHING = "nothing of it belongs to a driving scene that the specs can say"
-UNREAL = "told as possible, as a plan or as what came of it, not as part of the scene"
+NOTHING = "it contains nothing of a driving scene that S can express"
+UNREAL = "described as a possibility, plan or consequence, not as part of the scene"
 NO_STEP = "read as “{}”, which {} does not do in S"
 NO_VALUE = "no field of S has the value {}"
 HEADING = "a heading or a label"

@@ -152,7 +152,7 @@ def ending(clause: str, structure: Structure) -> Found | None:
     if found is None:
         return None  # how long it lasts
     if found is None:
-        return [], "the run can end after a time, when somebody stands, acts as he does or is so near, or collides"
+        return [], "a run can end after a time, or when someone stops, acts, comes within a distance or collides"
     condition, words = found
     old = structure.restrictions.spec
     assert isinstance(old, RestrictionsSpec)

@@ -205,7 +205,7 @@ def compose_ego(scene: Scene, ids: dict[Entity, str], place: PlaceSpec) -> tuple
             Assumption(
                 field="reaction",
                 value="brake",
-                reason="the text does not say how ego reacts: it brakes for what comes into its way",
+                reason="the text does not say how ego reacts: it brakes for anything entering its path",
             )
         )
     kind = ego.type if ego.type in MOTOR and ego.type != "vehicle" else "car"

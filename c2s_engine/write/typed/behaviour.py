@@ -5,10 +5,9 @@ from c2s_engine.structure.specs import ObjectSpec, Phase, SettingsSpec, Trigger
 from c2s_engine.write.typed import ahead, lights, scope
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.lateral import LATERAL
-from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.overtakings import nearest
 from c2s_engine.write.typed.steps import AT_LINE, IN_JUNCTION, Step, steps
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, TURN
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, AT_REST, TURN
 from c2s_engine.write.typed.towards import SETS_OFF, its_turn
 from c2s_engine.write.typed.triggers import implicit, stated
 from c2s_engine.write.typed.usual import SETS_OUT, SLOWS_DOWN, slows_before
@@ -120,7 +119,7 @@ def _overtaken_later(course: Course, phases: list[Phase]) -> str:
 
 def _at_line(actor: Actor, phase: Phase, i: int) -> bool:
     """Whether somebody stands at the stop line after its i-th phase."""
-    return phase.trigger == AT_LINE or i == 0 and actor.is_ego and actor.value <= 0 and phase.action in STANDS
+    return phase.trigger == AT_LINE or i == 0 and actor.is_ego and actor.value <= 0 and phase.action in AT_REST
 
 
 def _at_stop_line(phase: Phase) -> bool:
@@ -209,7 +208,7 @@ def phases_of(actor: Actor) -> list[Phase]:
         if i == 0 and actor.is_ego and actor.value <= 0 and phase.action == "stop" and then is not None:
             phases[i] = phase.model_copy(update={"action": "stationary"})  # it stands there
             continue
-        if i == 0 and actor.sets_out and actor.value <= 0 and phase.action in STANDS:
+        if i == 0 and actor.sets_out and actor.value <= 0 and phase.action in AT_REST:
             phases[i] = phase.model_copy(update={"action": "wait"})  # it stands at its line
             continue
         under_way = SETS_OFF & {p.action for p in phases[:i]}  # it stops in the junction, not before it

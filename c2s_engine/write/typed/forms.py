@@ -6,12 +6,11 @@ from c2s_engine.write.typed import lights
 from c2s_engine.write.typed.alongside import beside_ego
 from c2s_engine.write.typed.facing import facing
 from c2s_engine.write.typed.hiding import standing
-from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.passing import passing
 from c2s_engine.write.typed.pockets import own_ways
 from c2s_engine.write.typed.sequence import in_sequence
 from c2s_engine.write.typed.slowing import slowing
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, OBSTRUCTING, TURN, is_static, is_vehicle, is_walker
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, AT_REST, OBSTRUCTING, TURN, is_static, is_vehicle, is_walker
 from c2s_engine.write.typed.threats import IN_WAY, passed_over
 from c2s_engine.write.typed.usual import crosses, uses_crosswalk
 from c2s_engine.write.typed.waiting import coming_by, together
@@ -43,7 +42,7 @@ def normal(structure: Structure) -> Structure:
             place = place.model_copy(update={"oncoming": place.oncoming is not False or None})
         elif _leaves_side_road(spec, place, turn):
             found = spec.model_copy(update={"phases": _with_turn(spec.phases)})
-        if spec.placement.position in APPROACH_ANGLE and spec.phases and spec.phases[0].action in STANDS:
+        if spec.placement.position in APPROACH_ANGLE and spec.phases and spec.phases[0].action in AT_REST:
             found = found.model_copy(update={"phases": tuple(map(_in_time, found.phases))})
         if found is not spec:
             structure = structure.with_spec(component.id, found)

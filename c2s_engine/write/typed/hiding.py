@@ -9,7 +9,16 @@ from c2s_engine.write.typed.course import EDGE, HALF_LANE
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.spot import Spot, member, position_constant
 from c2s_engine.write.typed.stations import RIGHT_BEHIND
-from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, WIDTH, is_static, is_vehicle
+from c2s_engine.write.typed.tables import (
+    AT_REST,
+    LANE_WIDTH,
+    LENGTH,
+    MOVES_OFF_ROAD,
+    NEXT_LANES,
+    WIDTH,
+    is_static,
+    is_vehicle,
+)
 from c2s_engine.write.typed.usual import (
     CLOSEST,
     NOSE_TO_TAIL,
@@ -27,8 +36,7 @@ OUT = 0.15
 """m beside a lane of one who is just out of it."""
 SHORT_OF_CROSSWALK = 4.0
 """m from the middle of a crosswalk to what stands before it."""
-NEXT_LANES = {"left_lane", "right_lane"}
-STANDS = {"stationary", "wait", "stop", "yield"}
+STANDS = {*AT_REST, "yield"}
 FACES_EGO = {"oncoming_lane", "opposite_approach"}
 
 

@@ -3,9 +3,8 @@
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, SettingsSpec, Trigger
 from c2s_engine.write.typed import scope
-from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import RAMP, TURN, is_static, is_vehicle
+from c2s_engine.write.typed.tables import AT_REST, RAMP, TURN, is_static, is_vehicle
 from c2s_engine.write.typed.watching import SECONDS, watched
 
 FOR_ALL = {"flashing", "dark"}
@@ -35,7 +34,7 @@ def of_all(structure: Structure, plan: Plan, spec: EgoSpec) -> list[str]:
     crossing = any(position in ACROSS for position, _ in plan.ways_of_others)
     unregulated = "off" if crossing and plan.place.control is None else "green"
     shown = settings.light or ("red" if "run_red" in actions else unregulated)
-    stop = next((i for i, a in enumerate(actions) if a in STANDS), len(actions))
+    stop = next((i for i, a in enumerate(actions) if a in AT_REST), len(actions))
     goes_on = any(a in TURN or a in ("start", "accelerate") for a in actions[stop:])
     arguments = ["place.turn"] if plan.junction and (crossing or shown != "green" or plan.place.control) else []
     arguments += [f"'{shown}'" if arguments else f"shown='{shown}'"] if shown != "green" else []
@@ -74,7 +73,7 @@ def obeyed(phases: list[Phase], settings: SettingsSpec) -> list[Phase]:
     found, shows = list(phases), first(settings)
     at = next((i for i, p in enumerate(found) if p.action in TURN), len(found))
     waits = shows == "red"
-    if waits and not any(p.action in STANDS for p in found):
+    if waits and not any(p.action in AT_REST for p in found):
         found.insert(at, Phase(action="stop", trigger=Trigger(kind="place", place="intersection", value=0)))
         at += 1
     for change in settings.light_changes:

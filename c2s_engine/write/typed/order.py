@@ -3,9 +3,8 @@ before it; ego, who stands there, also for those who come by without a stop."""
 
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
-from c2s_engine.write.typed.tables import APPROACH_ANGLE
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, AT_REST
 
-STANDS = {"stop", "stationary", "wait"}
 PASSES = {"go_straight", "turn_left", "turn_right", "keep_lane", "move_along", "accelerate"}
 """What somebody does who comes by without a stop."""
 GOES = {"start", "go_straight", "turn_left", "turn_right", "accelerate"}
@@ -25,7 +24,7 @@ def goes_after(structure: Structure, cid: str) -> list[str]:
 
 def _stands(phases: tuple[Phase, ...]) -> bool:
     """Whether somebody stops or stands first, for as long as it takes, and then goes."""
-    first = [p for p in phases[:2] if p.action in STANDS]
+    first = [p for p in phases[:2] if p.action in AT_REST]
     free = all(p.trigger is None and p.duration is None for p in phases)
     return bool(first) and first[0] is phases[0] and free and bool(GOES & {p.action for p in phases})
 

@@ -7,17 +7,15 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.specs import ObjectSpec, PlaceSpec
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, SIDE, WIDTH, is_static, is_vehicle
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, AT_REST, NEXT_LANES, SIDE, WIDTH, is_static, is_vehicle
 
-WAITS = {"stop", "wait", "stationary"}
-"""What one does that stays before the junction."""
-STAYS_BEHIND = {*WAITS, "follow", "brake", "yield"}
+STAYS_BEHIND = {*AT_REST, "follow", "brake", "yield"}
 """What one does, first of all, that comes up behind others."""
 
 POCKET, CLEAR = 0.85, 0.35
 """m beside the middle of a lane that has no other at its left at which one waits (`pocket` of the driving library), and
 m between the two."""
-NEXT_TO = {"left_lane", "right_lane", "beside"}
+NEXT_TO = {*NEXT_LANES, "beside"}
 
 
 def pocketed(objects: Mapping[str, ObjectSpec], place: PlaceSpec) -> dict[str, str]:
@@ -82,7 +80,7 @@ def _times(structure: Structure, waiting: str, by: str) -> float:
 def _waits(spec: ObjectSpec) -> bool:
     if spec.placement.position not in APPROACH_ANGLE or not is_vehicle(spec.type):
         return False
-    return is_static(spec) or bool(spec.phases) and {p.action for p in spec.phases} <= WAITS
+    return is_static(spec) or bool(spec.phases) and {p.action for p in spec.phases} <= AT_REST
 
 
 def _goes_by(spec: ObjectSpec, waiting: ObjectSpec, cid: str) -> bool:

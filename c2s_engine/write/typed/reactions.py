@@ -14,10 +14,9 @@ from c2s_engine.write.typed.collisions import stops_before
 from c2s_engine.write.typed.course import WHERE_IT_IS, Actor
 from c2s_engine.write.typed.evasion import grip
 from c2s_engine.write.typed.lanes import leaves_lane
-from c2s_engine.write.typed.order import STANDS
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import first_in_line
-from c2s_engine.write.typed.tables import APPROACH_ANGLE, MOVES_OFF_ROAD, is_static, is_vehicle
+from c2s_engine.write.typed.tables import APPROACH_ANGLE, AT_REST, MOVES_OFF_ROAD, is_static, is_vehicle
 from c2s_engine.write.typed.threats import (
     ASIDE,
     every,
@@ -342,7 +341,7 @@ def _them(threats: list[str]) -> str:
 
 def _stands_first(spec: EgoSpec) -> int:
     """How many of ego's phases, the first of them, are about standing before the junction."""
-    moves = (i for i, p in enumerate(spec.phases) if p.action not in STANDS or p.trigger is not None)
+    moves = (i for i, p in enumerate(spec.phases) if p.action not in AT_REST or p.trigger is not None)
     return next(moves, 0)
 
 
@@ -352,7 +351,7 @@ def _cut_off(spec: EgoSpec, structure: Structure, plan: Plan) -> str | None:
         return None
     objects = [(c.id, c.spec) for c in structure.objects if isinstance(c.spec, ObjectSpec)]
     riders = [(cid, o) for cid, o in objects if rides_beside(o) and not (hits_ego(o) or is_hit(spec, cid))]
-    riders = [(cid, o) for cid, o in riders if not STANDS & {p.action for p in o.phases}]
+    riders = [(cid, o) for cid, o in riders if not AT_REST & {p.action for p in o.phases}]
     coming = [cid for cid, o in riders if o.placement.along in ("behind", "abreast") and o.placement.of == "ego"]
     return next((cid for cid in coming if cid != spec.react_to or spec.reaction == "brake"), None)
 
@@ -362,7 +361,7 @@ def _waits_for(spec: EgoSpec, cid: str) -> bool:
     for i, p in enumerate(spec.phases):
         after = [q.trigger for q in spec.phases[i + 1 : i + 2]]
         ends = [t for t in (p.until, *after) if t is not None and t.kind in ("passed", "place")]
-        if p.action in STANDS and (p.target == cid or any(t.subject == cid for t in ends)):
+        if p.action in AT_REST and (p.target == cid or any(t.subject == cid for t in ends)):
             return True
     return False
 

@@ -19,7 +19,7 @@ from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_the
 from c2s_engine.write.typed.lanes import pulls_over
 from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.people import BACKS_OUT, PULLS_OUT
-from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, RAMP, TURN
+from c2s_engine.write.typed.tables import AT_REST, LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, RAMP, TURN
 from c2s_engine.write.typed.threats import every, is_hit
 from c2s_engine.write.typed.towards import IN_MIDDLE, ROOM, SHORT, ending, held_for, stops_in_way, yields
 from c2s_engine.write.typed.usual import SETS_OUT, crosses, reach
@@ -30,7 +30,6 @@ BROKEN_OFF = 1.7
 """m to the side after which a lane change is broken off: about half of the body is over the line then."""
 BEYOND_EDGE = 4
 """m beyond the road's edge to where who leaves it heads."""
-STANDS = ("stop", "stationary", "wait")
 IN_JUNCTION = "until self._intersection"
 """When one is in the junction."""
 HITS_SOON = "for 1 seconds"
@@ -49,10 +48,10 @@ def steps(course: Course, phase: Phase) -> list[Step]:
     """The steps of one phase; the course is moved on."""
     if slides_there(course, phase):
         return []
-    course.out = course.out and phase.action in STANDS
+    course.out = course.out and phase.action in AT_REST
     if not course.backwards or phase.action == "reverse":
         return _OF.get(phase.action, _keep_lane)(course, phase)
-    if phase.action in STANDS:
+    if phase.action in AT_REST:
         return [(["do Backwards(0)"], ending(phase, "for 3 seconds"))]
     if phase.action in ("leave_road", "drift"):
         steer = scope.number(0.25 * _side(phase, -1 if phase.action == "drift" else 1) * -1)

@@ -39,7 +39,9 @@ SUN: dict[str, float] = _TABLES["sun"]
 RESERVED: frozenset[str] = frozenset(_TABLES["reserved"]) | driving.names()
 WORKS = {"construction_zone", "lane_closure"}
 AT_REST = {"stationary", "wait", "stop"}
-"""What things do that lie or stand where they are."""
+"""What those do who lie or stand where they are."""
+NEXT_LANES = {"left_lane", "right_lane"}
+"""Where those start who drive in a lane beside that of ego."""
 FLAT = {"slippery_patch"}
 """What one drives over."""
 MOVES_OFF_ROAD = {"roadside", "sidewalk", "parked"}

@@ -1,8 +1,11 @@
-"""`python -m c2s_bench.reading read | run | through`: how well scenes are read; how many run as S by hand requires.
+"""`python -m c2s_bench.reading read | run | through | turns`: how well scenes and changes are read; how many run as S
+by hand requires.
 
 read: the embedded interpreter (or, with --reader, the learned reader) on wordings of scenes held out of
 training. run: S by hand to a run; the share in which all that S requires is seen, and what fails most. through: the
-text to a run; the share in which all that S by hand requires is seen.
+text to a run; the share in which all that S by hand requires is seen. turns: changes upon scenes that are held out of
+training, by the rules of the embedded interpreter (or, with --reader, as the app makes them); the share in which S becomes
+what it should.
 """
 
 import argparse
@@ -15,6 +18,7 @@ from collections.abc import Callable
 from c2s_bench.reading.agreement import Agreement, agreement
 from c2s_bench.reading.scenes import Scene, scenes
 from c2s_bench.reading.through import seen
+from c2s_bench.reading.turns import outcome, turns
 from c2s_engine.api import Engine
 from c2s_engine.config import Settings
 from c2s_engine.interpret import EmbeddedInterpreter
@@ -87,14 +91,30 @@ async def through(chosen: list[Scene], one: Read) -> None:
         print(f"{times:4} {name}")
 
 
+def change(count: int, seed: int, by_model: bool) -> None:
+    """Print how many changes are made as they should."""
+    chosen = [turn for turn in turns() if turn.held]
+    random.Random(seed).shuffle(chosen)
+    found = {bool(lines): Counter[str]() for lines in (True, False)}
+    for turn in chosen[:count]:
+        found[bool(turn.lines)][outcome(turn, by_model)] += 1
+    for changes, said in ((True, "changes"), (False, "no changes")):
+        total = max(sum(found[changes].values()), 1)
+        shares = (f"{name} {n} ({n / total:.0%})" for name, n in found[changes].most_common())
+        print(f"{total} {said}: {', '.join(shares)}")
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=("read", "run", "through"))
+    parser.add_argument("what", choices=("read", "run", "through", "turns"))
     parser.add_argument("--n", type=int, default=100, help="how many scenes, drawn by --seed")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--trained", action="store_true", help="of those trained on, instead of those held out")
-    parser.add_argument("--reader", action="store_true", help="read, through: by the learned reader")
+    parser.add_argument("--reader", action="store_true", help="read, through, turns: by the learned reader")
     given = parser.parse_args()
+    if given.what == "turns":
+        change(given.n, given.seed, given.reader)
+        return
     chosen = [s for s in scenes() if s.held is not given.trained]
     random.Random(given.seed).shuffle(chosen)
     chosen = chosen[: given.n]

@@ -41,9 +41,24 @@ def pairs(writers: Sequence[str] = (), seed: int = 5) -> list[Pair]:
     return found
 
 
+def changes() -> Iterator[Pair]:
+    """Changes upon scenes that are not held out, as they are asked and answered, and their mirror images."""
+    from c2s_bench.reading.turns import turns
+    from c2s_engine.interpret.learned.change import TYPED, answer_of, prompt
+
+    for turn in turns():
+        if turn.held:
+            continue
+        asked, answer = prompt(turn.scene.structure, turn.text), answer_of(turn.lines)
+        yield asked, answer
+        there, _, typed = asked.partition(TYPED)
+        if (other := mirror(typed, there)) and (lines := mirror(typed, answer)):
+            yield f"{other[1]}{TYPED}{other[0]}", lines[1]
+
+
 def judged() -> Iterator[Pair]:
     """The first two judged batches, whose S was written by hand."""
-    from c2s_bench.reading.units import with_units
+    from c2s_engine.interpret.learned.units import with_units
     from c2s_engine.report.gather import structure_of
 
     for name in ("2026-11-24", "2026-11-24-second"):
@@ -114,8 +129,8 @@ def sloppy(text: str, rng: random.Random) -> str:
 def silver() -> Iterator[Pair]:
     """What the embedded interpreter reads as expected of the fresh descriptions worked on."""
     from c2s_bench.interpret.score import judge
-    from c2s_bench.reading.units import with_units
     from c2s_engine.interpret import EmbeddedInterpreter
+    from c2s_engine.interpret.learned.units import with_units
 
     interpreter = EmbeddedInterpreter()
     for file in sorted((FOLDER.parents[1] / "fresh").glob("records_*.yaml")):

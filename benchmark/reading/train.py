@@ -1,8 +1,8 @@
 """`python -m c2s_bench.reading.train MODEL_FOLDER OUT`: fine-tune SmolLM2-135M (its GGUF) into the learned reader.
 
 A LoRA adapter over all linear layers, loss on the answer alone, bf16; OUT/reader.gguf is written for llama.cpp and
-Ollama. 64 pairs took 0.25 s on one H100, some 70 s on one core. --start goes on from an adapter, with --writers on
-their texts and a share (--replay) of the others. Needs, besides torch and transformers, the packages accelerate and
+Ollama. It learns to read texts, and changes upon scenes. 64 pairs took 0.25 s on one H100, some 70 s on one core.
+--start goes on from an adapter, with --writers on their texts and a share (--replay) of the others. Needs, besides torch and transformers, the packages accelerate and
 gguf, which c2s itself does not.
 """
 
@@ -16,7 +16,7 @@ from pathlib import Path
 import torch
 from torch import nn
 
-from c2s_bench.reading.pairs import Pair, pairs, silver
+from c2s_bench.reading.pairs import Pair, changes, pairs, silver
 from c2s_engine.interpret.learned.decoder import END
 from c2s_engine.interpret.learned.notation import LEFT_OUT
 
@@ -172,6 +172,7 @@ def main() -> None:
         data += random.sample(others, min(len(others), int(given.replay * len(data))))
     else:
         data = [*pairs(), *silver()]
+    data += changes()
     print(f"{len(data)} pairs", flush=True)
     settings = {name: getattr(given, name) for name in ("rank", "rate", "epochs", "size")}
     layers = train(given.folder, data, given.start, **settings)

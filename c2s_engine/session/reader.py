@@ -117,6 +117,11 @@ async def route(text: str, structure: Structure | None, tools: Any, last: tuple[
     return await _asked(tools, "route", text, structure, last)
 
 
+async def change(text: str, structure: Structure, tools: Any) -> Asked | None:
+    """The change of S that the learned model reads in what was typed; None where it reads none, or cannot read."""
+    return await _asked(tools, "change", text, structure)
+
+
 async def _asked(tools: Any, name: str, *arguments: Any) -> Any:
     reader = tools.extra.get("reader")
     return await (reader.ask(name, *arguments) if reader else asyncio.to_thread(_answer, name, arguments))
@@ -141,12 +146,24 @@ def _answer(name: str, arguments: tuple[Any, ...]) -> Any:
             return learned.learned(text) if name == "learned" else EmbeddedInterpreter().interpret(text).structure
         except (InterpretError, InterpreterFault) as error:
             raise Unreadable(str(error)) from None
+    if name == "change":
+        return _change(*arguments)
     text, structure, last = arguments
     try:
         asked = turn.route(text, structure, turn.PreviousTurn(*last) if last else None)
     except InterpreterFault as fault:
         return Asked("edit", reply=str(fault))
     return Asked(asked.kind, tuple(asked.edits), asked.reply, asked.corrects)
+
+
+def _change(text: str, structure: Structure) -> Asked | None:
+    from c2s_engine.interpret.learned import ReaderError, read_change
+
+    try:
+        found = read_change(text, structure)
+    except ReaderError:
+        return None
+    return Asked("edit", found.edits, found.words) if found is not None else None
 
 
 def serve(requests: BinaryIO, answers: BinaryIO) -> None:

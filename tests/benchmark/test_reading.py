@@ -8,9 +8,10 @@ from c2s_bench.reading.agreement import agreement
 from c2s_bench.reading.pairs import judged, mirror, other_numbers, pairs, sloppy, variants
 from c2s_bench.reading.scenes import scenes
 from c2s_bench.reading.through import in_the_terms_of, seen
-from c2s_bench.reading.units import with_units
+from c2s_bench.reading.turns import Turn, outcome, turns
 from c2s_engine.interpret.learned.notation import parse, short
 from c2s_engine.interpret.learned.reader import structure_of
+from c2s_engine.interpret.learned.units import with_units
 from c2s_engine.structure.edits import RemoveObject, SetField, apply
 
 pytestmark = pytest.mark.full
@@ -122,3 +123,13 @@ async def test_nobody_who_was_not_read_is_seen(engine):
     read = structure_of({"O1": {"name": "car"}}, hand.text)
     found = {r.requirement: r.holds for r in await seen(engine, "one", read, hand)}
     assert found["O1.there"] is True and found["O4.there"] is False
+
+
+def test_changes_upon_scenes_are_made_as_they_should_or_counted_as_wrong():
+    chosen = [t for t in turns() if t.lines]
+    assert len(chosen) > 500 and all(not any(c.unmet for c in t.after.components) for t in chosen[:200])
+    scene = next(t.scene for t in chosen if "speed" in t.scene.components["E"])
+    faster = Turn(scene, "ego drives at 33 km/h", ("E: speed=33km/h",))
+    assert outcome(faster) == "right"
+    assert outcome(Turn(scene, "ego drives at 33 km/h", ("E: speed=34km/h",))) == "wrong"
+    assert outcome(Turn(scene, "the zeppelin should be greener", ("E: speed=34km/h",))) == "nothing"

@@ -196,7 +196,8 @@ def structure_of(components: Components, text: str) -> Structure:
     objects = {cid: data for cid, data in components.items() if cid.startswith("O")}
     ids = {"ego", *objects}
     speeds = {"ego" if c == "E" else c: si(data["speed"]) for c, data in components.items() if "speed" in data}
-    found = {cid: _component(cid, components.get(cid, {}), ids, speeds) for cid in ("G", "R", "E", *objects, "T")}
+    every = ("G", "R", "E", *objects, "T")
+    found = {cid: component_of_data(cid, components.get(cid, {}), ids, speeds) for cid in every}
     structure = Structure(
         text=text, settings=found["G"], place=found["R"], ego=found["E"],
         objects=tuple(found[cid] for cid in objects), restrictions=found["T"],
@@ -204,7 +205,9 @@ def structure_of(components: Components, text: str) -> Structure:
     return described(fallback.in_order(fallback.distinct_names(structure)))
 
 
-def _component(cid: str, data: dict[str, Any], ids: set[str], speeds: dict[str, Any]) -> Component:
+def component_of_data(cid: str, data: dict[str, Any], ids: set[str], speeds: dict[str, Any]) -> Component:
+    """A component of plain data; what fits no field of its spec is noted in `unmet`. `ids`: of all that are there;
+    `speeds` (m/s), by these."""
     lost: list[str] = []
     own = "ego" if cid == "E" else cid
     spec = _spec(cid[0], _known(si(_in_units(data, own, speeds, lost)), ids, own, lost), lost)
@@ -220,13 +223,14 @@ def _in_units(data: Any, own: str, speeds: dict[str, Any], lost: list[str]) -> A
         return data
     kept: dict[str, Any] = {}
     behind = "behind" in (data.get("position"), data.get("along"))
-    follows = data.get("of", "ego") if "position" in data and not behind else own
+    beside = data.get("of", "ego") if "position" in data else own
+    fast = [s for who in ((own, beside) if behind else (beside,)) if isinstance(s := speeds.get(who), float)]
     for name, value in data.items():
         unit = unit_of(value)
         if unit in ("", _UNITS.get(name, unit)):
             kept[name] = _in_units(value, own, speeds, lost)
-        elif unit == "s" and name in _LENGTHS and isinstance(speed := speeds.get(follows), float):
-            kept[name] = f"{round(si(value) * speed, 1)}m"
+        elif unit == "s" and name in _LENGTHS and fast:
+            kept[name] = f"{round(si(value) * fast[0], 1)}m"
         else:
             lost.append(f"{name} {value}")
     return kept

@@ -57,4 +57,5 @@ def _said(value: Any, told: list[str], name: str, around: dict[str, Any]) -> Any
     if pair:
         return "{:g}-{:g} {}".format(*value, unit)
     same = (t for t in told if t.split()[1] in KINDS[unit].split() and abs(si(t) - value) <= max(0.006 * value, 0.006))
-    return next(same, f"{value:g} {unit}")
+    usual = f"{round(value * 3.6, 1):g} km/h" if unit == "m/s" and name != "lateral_speed" else f"{value:g} {unit}"
+    return next(same, usual)

@@ -4,8 +4,8 @@ by hand requires.
 read: the embedded interpreter (or, with --reader, the learned reader) on wordings of scenes held out of
 training. run: S by hand to a run; the share in which all that S requires is seen, and what fails most. through: the
 text to a run; the share in which all that S by hand requires is seen. turns: changes upon scenes that are held out of
-training, by the rules of the embedded interpreter (or, with --reader, as the app makes them); the share in which S becomes
-what it should.
+training, by the rules of the embedded interpreter (or, with --reader, as the app makes them); the share in which S
+becomes what it should.
 """
 
 import argparse

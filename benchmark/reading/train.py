@@ -2,8 +2,8 @@
 
 A LoRA adapter over all linear layers, loss on the answer alone, bf16; OUT/reader.gguf is written for llama.cpp and
 Ollama. It learns to read texts, and changes upon scenes. 64 pairs took 0.25 s on one H100, some 70 s on one core.
---start goes on from an adapter, with --writers on their texts and a share (--replay) of the others. Needs, besides torch and transformers, the packages accelerate and
-gguf, which c2s itself does not.
+--start goes on from an adapter, with --writers on their texts and a share (--replay) of the others. Needs, besides
+torch and transformers, the packages accelerate and gguf, which c2s itself does not.
 """
 
 import argparse

@@ -103,6 +103,8 @@ def _read_amid(clause: str, structure: Structure, wanted: Any) -> list[Edit] | N
     waited = awaited(told, structure)
     if then := afterwards(told, structure):
         told = then[0]
+    if not told:
+        return None
     there_is = scene(structure, told)
     was, now = read(there_is), read(f"{there_is} {told[0].upper()}{told[1:]}.")
     if was is None or now is None or len(was.objects) != len(structure.objects) or len(now.objects) < len(was.objects):
@@ -342,6 +344,8 @@ def unparsed_words(clause: str, structure: Structure) -> list[str]:
         return []
     if then := afterwards(told, structure):
         told = then[0]
+    if not told:
+        return None
     there_is = scene(structure, told)
     now = read(f"{there_is} {told[0].upper()}{told[1:]}.")
     notes = [*now.not_understood, *now.background] if now is not None else []

@@ -17,7 +17,7 @@ from c2s_engine.write.typed.watching import METRES, SECONDS
 
 PLANNER = "planner"
 """Who chose, in `assumed`."""
-REASON = "left open: chosen so that the run meets the requirements"
+REASON = "left open: chosen so that the run shows what is described"
 BY_OTHERS = ("wait", "stationary", "cross_road", "yield", "follow", "go_straight", "turn_left", "turn_right")
 """First phases whose moment follows from where others are or from the place, or that have none."""
 STANDS_FOR = 3.0

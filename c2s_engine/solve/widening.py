@@ -15,7 +15,7 @@ SHARES = (0.2, 0.1)
 """By how much of its value a field varies to either side, the widest first."""
 SECONDS = 1.0
 """s of which such a share is taken where one comes later: its value may be 0."""
-REASON = "left open: varied as far as at least 90 % of the sampled scenes meet the requirements"
+REASON = "left open: varied as far as at least 90 % of the sampled scenes show what is described"
 FIELDS = ("gap", "speed", "rate", "distance", "trigger", "later")
 
 

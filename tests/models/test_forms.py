@@ -331,7 +331,7 @@ CHILD = ObjectSpec(name="child", type="child", placement=Placement(position="sid
 )
 def test_a_sentence_is_made_from_the_spec_and_what_it_lost_is_listed(said, lost):
     objects = (Component(id="O1", spec=VAN), Component(id="O2", spec=CHILD))
-    s = rendered_sentences.told(Structure(text=said, objects=objects), {"O1": said})
+    s = rendered_sentences.with_rendered_sentences(Structure(text=said, objects=objects), {"O1": said})
     assert s["O1"].description == (
         "A van ahead of ego in the same lane, 20 m away; it brakes (brake when the child begins to cross the road)."
     )

@@ -779,7 +779,7 @@ def test_after_a_run_broke_off_the_rest_is_not_reached() -> None:
     run = scene.run()
     found = {r.requirement: r for r in evaluate(require(structure), run.facts, run.trajectories)}
     assert found["O1.phases.0.brake"].holds is True
-    assert found["O1.phases.1.stop"].holds is None and "broke off" in found["O1.phases.1.stop"].why
+    assert found["O1.phases.1.stop"].holds is None and "stopped early" in found["O1.phases.1.stop"].why
     assert not whole(tuple(found.values()))
 
 

@@ -72,7 +72,7 @@ SHOWN = Finished(
      ("how many lanes are there?", "S leaves the number of lanes open; in the run: 0."),
      ("is ego on a motorway?", "No: R says kind road."),
      ("is it foggy?", "No: G leaves weather open."),
-    ("was it foggy when ego braked?", "“foggy” was not read"),  # of a moment S says nothing
+    ("was it foggy when ego braked?", "“foggy” was not understood"),  # of a moment S says nothing
      ("is there a bus?", "No: O1 a bicycle."),
      ("is the cyclist a pedestrian?", "No: O1 (cyclist) is a bicycle."),
      ("is there a bicycle?", "Yes: O1 says type bicycle."),

@@ -72,4 +72,4 @@ def test_who_gives_way_no_more_has_no_phase_of_giving_way():
         Phase(action="yield", target="O1"), Phase(action="start"), Phase(action="turn_left")))  # fmt: skip
     before = scene().with_component(Component(id="E", spec=ego))
     after, said = with_consequences(before, apply(before, SetField(component="E", path="reaction", value="none")))
-    assert [p.action for p in after.ego.spec.phases] == ["turn_left"] and "gives way to nobody" in said[0]
+    assert [p.action for p in after.ego.spec.phases] == ["turn_left"] and "no longer gives way" in said[0]

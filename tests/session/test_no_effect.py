@@ -75,7 +75,7 @@ async def test_what_makes_no_difference_to_a_change_is_named(engine, text, idle)
 
 
 async def test_a_text_that_cannot_be_read_says_so(engine):
-    with pytest.raises(Unreadable, match="Nothing in the text"):
+    with pytest.raises(Unreadable, match="No driving scene"):
         await engine.without_effect("Two plus two is four.")
 
 

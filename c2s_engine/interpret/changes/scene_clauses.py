@@ -345,7 +345,7 @@ def unparsed_words(clause: str, structure: Structure) -> list[str]:
     if then := afterwards(told, structure):
         told = then[0]
     if not told:
-        return None
+        return []
     there_is = scene(structure, told)
     now = read(f"{there_is} {told[0].upper()}{told[1:]}.")
     notes = [*now.not_understood, *now.background] if now is not None else []

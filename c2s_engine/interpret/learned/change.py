@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from c2s_engine.interpret.changes.corrected import differences
+from c2s_engine.interpret.changes.removal_edits import removal_edits
 from c2s_engine.interpret.learned.decoder import loaded
 from c2s_engine.interpret.learned.notation import NONE, PLACEMENT, Components, parse, short
 from c2s_engine.interpret.learned.quantities import si
@@ -23,7 +24,7 @@ from c2s_engine.interpret.learned.reader import component_of_data
 from c2s_engine.interpret.learned.units import with_units
 from c2s_engine.interpret.llm.fallback import distinct_names
 from c2s_engine.structure.components import Component, Structure, field_words
-from c2s_engine.structure.edits import Edit
+from c2s_engine.structure.edits import Edit, apply
 from c2s_engine.structure.sentences import sentence, with_updated_sentences
 from c2s_engine.structure.shown import value_in_words
 from c2s_engine.structure.specs import ObjectSpec, Spec
@@ -72,7 +73,8 @@ def read_change(text: str, structure: Structure) -> Change | None:
 def changed_structure(structure: Structure, lines: Sequence[str]) -> Structure:
     """S with the lines of a change; raises ValueError where a line cannot be read, or what it says does not fit."""
     data = {c.id: _plain(c) for c in structure.components}
-    after = changed(data, lines)
+    after = changed(data, [line for line in lines if ":" in line])
+    gone = [line[1:] for line in lines if ":" not in line and line.startswith("-")]
     speeds = {"ego" if cid == "E" else cid: si(d["speed"]) for cid, d in after.items() if "speed" in d}
     ids = {"ego", *(cid for cid in after if cid[0] == "O")}
     there, kept = {c.id: c for c in structure.components}, dict[str, Component]()
@@ -89,22 +91,23 @@ def changed_structure(structure: Structure, lines: Sequence[str]) -> Structure:
         )  # fmt: skip
     objects = tuple(kept[cid] for cid in after if cid[0] == "O")
     named = {"settings": kept["G"], "place": kept["R"], "ego": kept["E"], "restrictions": kept["T"]}
+    if missing := [line for line in lines if ":" not in line and line[1:] not in kept]:
+        raise ValueError(f"{missing[0]}: there is no {missing[0][1:]}")
     changed_so = distinct_names(structure.model_copy(update={**named, "objects": objects}))
     for added in (c for c in changed_so.objects if c.id not in there):
         changed_so = changed_so.with_component(added.model_copy(update={"description": sentence(added, changed_so)}))
+    for edit in removal_edits([changed_so[cid] for cid in gone], changed_so):
+        changed_so = apply(changed_so, edit)
     return with_updated_sentences(structure, changed_so)
 
 
 def changed(components: Components, lines: Sequence[str]) -> Components:
-    """Components as plain data with the lines of a change; raises ValueError where a line cannot be read."""
+    """Components as plain data with the lines of a change that say what they are; raises ValueError where a line cannot
+    be read."""
     after = deepcopy(dict(components))
     for line in lines:
         cid, colon, rest = line.partition(":")
-        if line.startswith("-") and not colon:
-            if line[1:] not in after:
-                raise ValueError(f"{line}: there is no {line[1:]}")
-            del after[line[1:]]
-        elif line.startswith("+") and colon:
+        if line.startswith("+") and colon:
             if cid[1:] in after or not cid.startswith("+O"):
                 raise ValueError(f"{line}: {cid[1:]} is there already, or no object")
             after |= _read(f"{cid[1:]}:{rest}", line)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from c2s_engine.check.client import CheckClient
 from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits, PlacesRequest, Upto
-from c2s_engine.config import METHOD, Settings
+from c2s_engine.config import Settings
 from c2s_engine.maps.library import SHIPPED, MapFile, MapLibrary, MapNotFound
 from c2s_engine.session.places import DEFAULT_MAP
 from c2s_engine.session.steps import Tools, silent
@@ -314,12 +314,9 @@ class Engine:
         more) and are not in `read_so` either, if that was read by a model; or to what the text changes in the S upon
         which it is said. Raises Unreadable."""
         from c2s_engine.session.no_effect import edit_phrases_without_effect, without_effect
-        from c2s_engine.session.reader import change
 
         if upon is None or upon.blank:
             return await without_effect(text, self.tools, read_so)
-        if self.settings.method == METHOD and await change(text, upon, self.tools) is not None:
-            return ()  # the rules, which are asked without each phrase, did not read it
         return await edit_phrases_without_effect(text, upon, self.tools)
 
     def gaps(self, ways: Trajectories) -> dict[str, list[float]]:

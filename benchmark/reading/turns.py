@@ -13,7 +13,7 @@ from c2s_engine.interpret.changes.corrected import after
 from c2s_engine.interpret.learned import read_change
 from c2s_engine.interpret.learned.change import changed_structure
 from c2s_engine.interpret.turn import route
-from c2s_engine.session.talk import may_be_change
+from c2s_engine.session.reader import Asked, may_be_change
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import EditError
 
@@ -56,7 +56,8 @@ def outcome(turn: Turn, by_model: bool = False) -> str:
     before, wanted = turn.scene.structure, turn.after
     routed = route(turn.text, before)
     edits = routed.edits if routed.kind == "edit" else []
-    if by_model and may_be_change(turn.text, routed) and (change := read_change(turn.text, before)):
+    asks = by_model and may_be_change(turn.text, Asked(routed.kind, corrects=routed.corrects))
+    if asks and (change := read_change(turn.text, before)) and change.edits:
         edits = [*change.edits]
     try:
         found = after(before, edits)

@@ -6,6 +6,7 @@ lock for seconds, and a key would wait for it. `python -m c2s_engine.session.rea
 import asyncio
 import contextlib
 import pickle
+import re
 import struct
 import sys
 from collections.abc import Sequence
@@ -16,6 +17,9 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit
 
 HEAD = struct.Struct("!I")
+LONGEST_CHANGE, LONGEST_ASIDE = 60, 14
+"""Words of the longest text that the learned model is asked to read as a change; the same of a sentence that the rules
+take for a new scenario."""
 
 
 class Unreadable(ValueError):
@@ -122,6 +126,13 @@ async def change(text: str, structure: Structure, tools: Any) -> Asked | None:
     return await _asked(tools, "change", text, structure)
 
 
+def may_be_change(text: str, plain: Asked) -> bool:
+    """Whether the learned model is asked what a text changes; `plain`: how the rules take it."""
+    words = len(text.split())
+    aside = plain.kind == "scenario" and words <= LONGEST_ASIDE and not re.search(r"[.;!?\n]\s*\S", text)
+    return aside or plain.kind == "edit" and not plain.corrects and words <= LONGEST_CHANGE
+
+
 async def _asked(tools: Any, name: str, *arguments: Any) -> Any:
     reader = tools.extra.get("reader")
     return await (reader.ask(name, *arguments) if reader else asyncio.to_thread(_answer, name, arguments))
@@ -163,7 +174,7 @@ def _change(text: str, structure: Structure) -> Asked | None:
         found = read_change(text, structure)
     except ReaderError:
         return None
-    return Asked("edit", found.edits, found.words) if found is not None else None
+    return Asked("edit", found.edits, found.words) if found is not None and found.edits else None
 
 
 def serve(requests: BinaryIO, answers: BinaryIO) -> None:

@@ -11,7 +11,7 @@ from c2s_engine.session.asked import HELP, answered, wants_help
 from c2s_engine.session.citing import description_of, kept, tells_scenario, wanted
 from c2s_engine.session.facade import Facade
 from c2s_engine.session.glossary import meaning
-from c2s_engine.session.reader import change, route
+from c2s_engine.session.reader import change, may_be_change, route
 from c2s_engine.session.steps import Emit
 from c2s_engine.session.streams import Result, streamed
 from c2s_engine.session.why import explained
@@ -24,9 +24,6 @@ from c2s_engine.write.prompted.influence import label
 
 SHOWN = 3
 """Passages that answer a question."""
-LONGEST_CHANGE = 60
-"""Words of the longest text that the learned model is asked to read as a change."""
-
 WHOLE = ("nl2scenic", "chatscene")
 """Methods whose model is given the whole text: a change is told to them as part of it."""
 
@@ -194,11 +191,6 @@ async def _routed(
         return await route_with_model(
             text, structure, client=client, embedded=EmbeddedInterpreter(), plain=plain, on_event=emit
         )
-
-
-def may_be_change(text: str, plain: Any) -> bool:
-    """Whether the learned model is asked what a text changes; `plain`: how the rules take it."""
-    return plain.kind in ("edit", "scenario") and not plain.corrects and len(text.split()) <= LONGEST_CHANGE
 
 
 def uses_model(engine: Facade, method: str) -> bool:

@@ -5,22 +5,15 @@ from typing import Any
 
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import Edit, RemoveObject, SetSpec, apply
-from c2s_engine.structure.specs import (
-    AnySpec,
-    EgoSpec,
-    ObjectSpec,
-    Phase,
-    RestrictionsSpec,
-    SettingsSpec,
-    Trigger,
-)
+from c2s_engine.structure.specs import AnySpec, EgoSpec, ObjectSpec, Phase, SettingsSpec, Trigger
 
 TOWARDS = ("follow", "overtake", "collide", "yield")
 """Actions that are none without their target."""
 
 
 def removal_edits(components: Sequence[Component], structure: Structure) -> list[Edit]:
-    """Edits after which these are there no longer, and nobody refers to them."""
+    """Edits after which these are there no longer, and nobody refers to them; what T requires of them stays, so that
+    it is not lost without a word: then they cannot be removed."""
     edits: list[Edit] = []
     for component in components:
         those = [*_released(component.id, structure), RemoveObject(component=component.id)]
@@ -43,15 +36,12 @@ def _update(spec: AnySpec, gone: ComponentId) -> dict[str, Any]:
     match spec:
         case SettingsSpec():
             return {"light_changes": tuple(c for c in spec.light_changes if not _about(c.when, gone))}
-        case RestrictionsSpec():
-            rows = {name: getattr(spec, name) for name in ("require", "limits", "terminate_when")}
-            return {name: tuple(r for r in kept if gone not in (r.subject, r.other)) for name, kept in rows.items()}
         case EgoSpec():
             own = {"react_to": None} if spec.react_to == gone else {}
             return {"phases": _phases(spec.phases, gone), **own}
         case ObjectSpec():
             place = spec.placement
-            names = {"of": "ego" if place.of == gone else place.of}
+            names: dict[str, Any] = {"of": "ego" if place.of == gone else place.of}
             names |= {"hidden_by": None} if place.hidden_by == gone else {}
             return {"phases": _phases(spec.phases, gone), "placement": place.model_copy(update=names)}
     return {}

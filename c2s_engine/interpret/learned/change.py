@@ -31,13 +31,20 @@ from c2s_engine.structure.specs import ObjectSpec, Spec
 
 TYPED = "\n> "
 """What parts S from what was typed upon it, in a prompt."""
+LEAST = 0.3
+"""How likely the least likely token of an answer is below which the rules are believed instead: of 182 changes held out
+of training 12 are below, and none of these is as it should be."""
+SURE = 0.6
+"""The same below which a change is a guess: of those above 50 of 78 are as they should be, of those below 20 of 100."""
+GUESS = "not sure of that ({:.0%}): compare S with what you typed, undo takes it back"
 BARE = {"R": "road", "E": "car", "O": "car at=ahead"}
 """The first words of a component's line, where a change says none."""
 
 
 @dataclass(frozen=True)
 class Change:
-    """Edits with what they do in words; `likely`: the probability (0 to 1) of the least likely token of the answer."""
+    """Edits (none: the text is no change) with what they do in words; `likely`: the probability (0 to 1) of the least
+    likely token of the answer."""
 
     edits: tuple[Edit, ...]
     words: str
@@ -55,19 +62,23 @@ def answer_of(lines: Sequence[str]) -> str:
 
 
 def read_change(text: str, structure: Structure) -> Change | None:
-    """The change that a text asks for; None where the model knows none, or writes one that does not fit S. Raises
+    """The change that a text asks for; None where the model's answer does not fit S or is not `LEAST` likely. Raises
     ReaderError."""
     answer = loaded().answer(prompt(structure, text))
     lines = [line.strip() for line in answer.text.splitlines() if line.strip()]
-    if not lines or lines == [NONE]:
+    likely = math.exp(min((p for _, p in answer.tokens), default=0.0))
+    if not lines or likely < LEAST:
         return None
+    if lines == [NONE]:
+        return Change((), "", likely)
     try:
         after = changed_structure(structure, lines)
     except ValueError:
         return None
+    words = in_words(structure, after)
+    words += f"; {GUESS.format(likely)}" if likely < SURE else ""
     edits = tuple(differences(structure, after))
-    likely = math.exp(min((p for _, p in answer.tokens), default=0.0))
-    return Change(edits, in_words(structure, after), likely) if edits else None
+    return Change(edits, words, likely) if edits else None
 
 
 def changed_structure(structure: Structure, lines: Sequence[str]) -> Structure:
@@ -128,9 +139,9 @@ def in_words(before: Structure, after: Structure) -> str:
             continue
         now = component.spec
         fields = [(path, getattr(was, path), getattr(now, path)) for path in type(now).model_fields]
-        fields += [(f"placement.{p}", getattr(was.placement, p), getattr(now.placement, p))
-                   for p in (type(now.placement).model_fields if isinstance(now, ObjectSpec) else ())
-                   if isinstance(was, ObjectSpec)]  # fmt: skip
+        if isinstance(was, ObjectSpec) and isinstance(now, ObjectSpec):
+            fields += [(f"placement.{p}", getattr(was.placement, p), getattr(now.placement, p))
+                       for p in type(now.placement).model_fields]  # fmt: skip
         other = (_field_in_words(path, one, two) for path, one, two in fields
                  if one != two and path not in ("placement", "name"))  # fmt: skip
         name = "ego" if component.id == "E" else component.id

@@ -57,5 +57,5 @@ def _said(value: Any, told: list[str], name: str, around: dict[str, Any]) -> Any
     if pair:
         return "{:g}-{:g} {}".format(*value, unit)
     same = (t for t in told if t.split()[1] in KINDS[unit].split() and abs(si(t) - value) <= max(0.006 * value, 0.006))
-    usual = f"{round(value * 3.6, 1):g} km/h" if unit == "m/s" and name != "lateral_speed" else f"{value:g} {unit}"
-    return next(same, usual)
+    in_kmh = unit == "m/s" and name != "lateral_speed"
+    return next(same, f"{round(float(value) * 3.6, 1):g} km/h" if in_kmh else f"{value:g} {unit}")

@@ -1,5 +1,6 @@
 """Changes by the learned model: what its lines make of S, and that answers which fit nothing change nothing."""
 
+import math
 from pathlib import Path
 
 import pytest
@@ -45,7 +46,29 @@ def test_what_is_asked_leaves_out_what_the_planner_chose(scene):
     assert changed_structure(chosen, ["O1: ; brake"])["O1"].assumed == ()
 
 
-@pytest.mark.parametrize("answer", ["none", "", "O4: speed=3km/h", "O1: van at=left_lane", "O1: ; fly", "xyz"])
+@pytest.mark.parametrize(("likely", "sure"), [(0.9, True), (0.5, False), (0.2, None)])
+def test_how_likely_an_answer_is_tells_whether_it_is_believed(scene, likely, sure, monkeypatch):
+    class Says:
+        def answer(self, asked):
+            return Answer("O1: speed=20km/h", 1, 1, (("O1:", -0.01), (" speed=20km/h", math.log(likely))))
+
+    monkeypatch.setattr("c2s_engine.interpret.learned.change.loaded", Says)
+    found = read_change("slower", scene)
+    assert (found is None) == (sure is None)
+    if found is not None:
+        assert [e.component for e in found.edits] == ["O1"] and ("not sure" not in found.words) == sure
+
+
+def test_none_is_no_change(scene, monkeypatch):
+    class Says:
+        def answer(self, asked):
+            return Answer("none", 1, 1, (("none", -0.1),))
+
+    monkeypatch.setattr("c2s_engine.interpret.learned.change.loaded", Says)
+    assert read_change("hello", scene).edits == ()
+
+
+@pytest.mark.parametrize("answer", ["", "O4: speed=3km/h", "O1: van at=left_lane", "O1: ; fly", "xyz"])
 def test_an_answer_that_fits_nothing_is_no_change(scene, answer, monkeypatch):
     class Says:
         def answer(self, asked):

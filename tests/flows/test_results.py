@@ -165,7 +165,7 @@ async def test_what_contradicts_is_said_where_not_all_is_shown(stage):
     stage.engine.collides = True
     async with stage.described() as pilot:
         await stage.say(pilot, "/contradictions")
-        await stage.until(pilot, lambda: "Any one of these would do" in stage.said[-1])
+        await stage.until(pilot, lambda: "Any one of these changes resolves it" in stage.said[-1])
         assert "E speed 50 km/h, O1 gap 5 m" in stage.said[-1]
         stage.engine.gate, stage.engine.gated_at = asyncio.Event(), "contradictions"
         await stage.say(pilot, "/contradictions", wait=False)

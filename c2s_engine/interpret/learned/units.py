@@ -56,6 +56,7 @@ def _said(value: Any, told: list[str], name: str, around: dict[str, Any]) -> Any
     unit = OF_LIMIT.get(kind, "m") if name in ("minimum", "maximum") else unit
     if pair:
         return "{:g}-{:g} {}".format(*value, unit)
+    assert isinstance(value, int | float)
     same = (t for t in told if t.split()[1] in KINDS[unit].split() and abs(si(t) - value) <= max(0.006 * value, 0.006))
     in_kmh = unit == "m/s" and name != "lateral_speed"
-    return next(same, f"{round(float(value) * 3.6, 1):g} km/h" if in_kmh else f"{value:g} {unit}")
+    return next(same, f"{round(value * 3.6, 1):g} km/h" if in_kmh else f"{value:g} {unit}")

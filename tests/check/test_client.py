@@ -159,7 +159,7 @@ async def test_a_dead_server_is_started_again_and_says_so() -> None:
         await client.check(request(upto="parse"))
         assert client._process is not None
         os.kill(client._process.pid, signal.SIGKILL)
-        with pytest.raises(CheckError, match="ended"):
+        with pytest.raises(CheckError, match="stopped"):
             await endless
         assert (await client.check(request())).ok
 
@@ -176,7 +176,7 @@ async def test_any_process_of_the_server_may_die() -> None:
             try:
                 assert not (await endless).ok
             except CheckError as error:
-                assert "ended" in str(error)
+                assert "stopped" in str(error)
             assert (await client.check(request())).ok
 
 

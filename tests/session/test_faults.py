@@ -129,7 +129,7 @@ async def test_a_dead_check_server_in_a_repair_is_a_finding(server, engine, sess
     monkeypatch.setattr(engine.check_client, "check", dead)
     events = await take(session.apply(VAN, method=f"{METHOD}+repair", run=False))
     assert [d.code for d in events[-1].diagnostics] == ["check-server"] and session.program.text == before
-    assert any("its program was not yet" in w for w in warnings(events))
+    assert any("its program not updated yet" in w for w in warnings(events))
 
 
 async def test_maps_that_cannot_be_searched_are_not_said_to_lack_the_place(engine, session, monkeypatch):
@@ -150,7 +150,7 @@ async def test_fields_that_contradict_are_kept_marked_and_said(session):
              SetField(component="O1", path="placement.position", value="right_lane")]  # fmt: skip
     events = await take(session.apply(edits, method="embedded", run=False))
     assert not events[-1].ok and session.program.text == before
-    assert set(marked(events)) == {"R", "O1"} and "its program was not yet (R, O1)" in warnings(events)[-1]
+    assert set(marked(events)) == {"R", "O1"} and "its program not updated yet (R, O1)" in warnings(events)[-1]
     events = await take(session.apply(edits[1].model_copy(update={"value": "ahead"}), method="embedded", run=False))
     assert events[-1].ok and all(c.key for c in session.structure.components)
 

@@ -57,7 +57,7 @@ async def test_where_places_are_found_and_what_is_told(engine):
     assert found.writer.map.name == "Town10HD"
     (note,) = relaxed.place.assumed
     assert (note.field, note.value) == ("arms", "left open")
-    assert note.reason == "it was 4: Town10HD has no such place"
+    assert note.reason == "originally 4: Town10HD has no such place"
     _, found = await settle(asks(kind="roundabout"), library, check, given="Town10HD", default=None)
     assert found.writer is None
     assert "The map has no roundabout; town has it." in found.diagnostic.message
@@ -98,8 +98,8 @@ async def test_on_a_town_of_narrow_roads_lanes_beside_ego_are_given_up_last(engi
     relaxed, found = await settle(passing, library, check, given="Town07", default=None)
     assert found.writer.map.name == "Town07"
     assert {a.field: (a.value, a.reason) for a in relaxed.place.assumed} == {
-        "lanes": ("1", "it was 2: Town07 has no such place"),
-        "kind": ("left open", "it was motorway: Town07 has no such place"),
+        "lanes": ("1", "originally 2: Town07 has no such place"),
+        "kind": ("left open", "originally motorway: Town07 has no such place"),
     }
     assert relaxed.objects == passing.objects
 
@@ -108,7 +108,7 @@ async def test_on_a_town_of_narrow_roads_lanes_beside_ego_are_given_up_last(engi
     assert found.writer is not None
     assert relaxed["O1"].spec.placement.position == "behind"
     reasons = {a.field: a.reason for a in relaxed["O1"].assumed}
-    assert reasons.pop("placement.position") == "it was left lane: Town07 has no such place"
+    assert reasons.pop("placement.position") == "originally left lane: Town07 has no such place"
     assert set(reasons) <= {"speed"} and all("have room for" in reason for reason in reasons.values())
 
     _, found = await settle(asks(kind="on_ramp"), library, check, given="Town07", default=None)

@@ -55,7 +55,8 @@ def _said(value: Any, told: list[str], name: str, around: dict[str, Any]) -> Any
     unit = OF_TRIGGER.get(kind, "m") if name == "value" else OF_FIELD.get(name, "m")
     unit = OF_LIMIT.get(kind, "m") if name in ("minimum", "maximum") else unit
     if pair:
-        return "{:g}-{:g} {}".format(*value, unit)
+        low, high = value
+        return f"{low:g}-{high:g} {unit}"
     assert isinstance(value, int | float)
     same = (t for t in told if t.split()[1] in KINDS[unit].split() and abs(si(t) - value) <= max(0.006 * value, 0.006))
     in_kmh = unit == "m/s" and name != "lateral_speed"

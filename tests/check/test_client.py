@@ -176,7 +176,7 @@ async def test_any_process_of_the_server_may_die() -> None:
             try:
                 assert not (await endless).ok
             except CheckError as error:
-                assert "stopped" in str(error)
+                assert "ended" in str(error)
             assert (await client.check(request())).ok
 
 

@@ -109,7 +109,7 @@ async def test_on_a_town_of_narrow_roads_lanes_beside_ego_are_given_up_last(engi
     assert relaxed["O1"].spec.placement.position == "behind"
     reasons = {a.field: a.reason for a in relaxed["O1"].assumed}
     assert reasons.pop("placement.position") == "originally left lane: Town07 has no such place"
-    assert set(reasons) <= {"speed"} and all("have room for" in reason for reason in reasons.values())
+    assert set(reasons) <= {"speed"} and all("only allow" in reason for reason in reasons.values())
 
     _, found = await settle(asks(kind="on_ramp"), library, check, given="Town07", default=None)
     assert found.writer is None

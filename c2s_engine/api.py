@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from c2s_engine.check.client import CheckClient
 from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits, PlacesRequest, Upto
-from c2s_engine.config import Settings
+from c2s_engine.config import METHOD, Settings
 from c2s_engine.maps.library import SHIPPED, MapFile, MapLibrary, MapNotFound
 from c2s_engine.session.places import DEFAULT_MAP
 from c2s_engine.session.steps import Tools, silent
@@ -317,7 +317,7 @@ class Engine:
 
         if upon is None or upon.blank:
             return await without_effect(text, self.tools, read_so)
-        return await edit_phrases_without_effect(text, upon, self.tools)
+        return await edit_phrases_without_effect(text, upon, self.tools, self.settings.method == METHOD)
 
     def gaps(self, ways: Trajectories) -> dict[str, list[float]]:
         """By each other's name, m between its box and ego's (bumper to bumper) at each step of a run."""

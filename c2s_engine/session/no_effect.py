@@ -7,7 +7,6 @@ from typing import Any
 
 import snowballstemmer
 
-from c2s_engine.config import METHOD
 from c2s_engine.session.reader import Unreadable, change, may_be_change, phrases, read, route
 from c2s_engine.session.steps import Tools
 from c2s_engine.structure.account import is_set
@@ -87,12 +86,13 @@ async def _without(text: str, parts: Sequence[tuple[Span, str]], structure: Stru
     return found
 
 
-async def edit_phrases_without_effect(text: str, upon: Structure, tools: Tools) -> tuple[Unmet, ...]:
+async def edit_phrases_without_effect(text: str, upon: Structure, tools: Tools,
+                                      learned: bool = False) -> tuple[Unmet, ...]:  # fmt: skip
     """The phrases of a change upon S without which it would be the same change, in the order of the text; of another
-    description, those without which its S would be the same. None where the learned model has read the change otherwise
-    than the rules, which are asked here. Raises Unreadable."""
+    description, those without which its S would be the same. None where the model that reads changes first (`learned`)
+    has read it otherwise than the rules, which are asked here. Raises Unreadable."""
     asked = await route(text, upon, tools)
-    if tools.settings.method == METHOD and may_be_change(text, asked):
+    if learned and may_be_change(text, asked):
         by_model = await change(text, upon, tools)
         if by_model is not None and _meant(_changed(upon, by_model.edits)) != _meant(_changed(upon, asked.edits)):
             return ()

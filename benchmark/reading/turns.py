@@ -10,10 +10,8 @@ import yaml
 from c2s_bench.reading.agreement import agreement
 from c2s_bench.reading.scenes import Scene, scenes
 from c2s_engine.interpret.changes.corrected import after
-from c2s_engine.interpret.learned import read_change
 from c2s_engine.interpret.learned.change import changed_structure
-from c2s_engine.interpret.turn import route
-from c2s_engine.session.reader import Asked, may_be_change
+from c2s_engine.session.reader import routed
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import EditError
 
@@ -54,11 +52,8 @@ def outcome(turn: Turn, by_model: bool = False) -> str:
     """What the rules make of a turn, or the app, which asks the learned model first: `right` (S becomes what it should,
     or stays as it is where nothing should change), `nothing` (S stays as it is, though it should change), `wrong`."""
     before, wanted = turn.scene.structure, turn.after
-    routed = route(turn.text, before)
-    edits = routed.edits if routed.kind == "edit" else []
-    asks = by_model and may_be_change(turn.text, Asked(routed.kind, corrects=routed.corrects))
-    if asks and (change := read_change(turn.text, before)) and change.edits:
-        edits = [*change.edits]
+    asked = routed(turn.text, before, learned=before if by_model else None)
+    edits = asked.edits if asked.kind == "edit" else ()
     try:
         found = after(before, edits)
     except EditError:

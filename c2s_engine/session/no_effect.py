@@ -7,7 +7,7 @@ from typing import Any
 
 import snowballstemmer
 
-from c2s_engine.session.reader import Unreadable, change, may_be_change, phrases, read, route
+from c2s_engine.session.reader import Unreadable, phrases, read, route
 from c2s_engine.session.steps import Tools
 from c2s_engine.structure.account import is_set
 from c2s_engine.structure.components import Structure, Unmet
@@ -89,12 +89,12 @@ async def _without(text: str, parts: Sequence[tuple[Span, str]], structure: Stru
 async def edit_phrases_without_effect(text: str, upon: Structure, tools: Tools,
                                       learned: bool = False) -> tuple[Unmet, ...]:  # fmt: skip
     """The phrases of a change upon S without which it would be the same change, in the order of the text; of another
-    description, those without which its S would be the same. None where the model that reads changes first (`learned`)
+    description, those without which its S would be the same. Nothing where the model that reads changes first (`learned`)
     has read it otherwise than the rules, which are asked here. Raises Unreadable."""
     asked = await route(text, upon, tools)
-    if learned and may_be_change(text, asked):
-        by_model = await change(text, upon, tools)
-        if by_model is not None and _meant(_changed(upon, by_model.edits)) != _meant(_changed(upon, asked.edits)):
+    if learned:
+        by_model = await route(text, upon, tools, learned=upon)
+        if _meant(_changed(upon, by_model.edits)) != _meant(_changed(upon, asked.edits)):
             return ()
     if asked.kind == "scenario":
         return await without_effect(text, tools)

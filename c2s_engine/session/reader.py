@@ -116,21 +116,11 @@ async def phrases(
     return await _asked(tools, "phrases", text, clauses)
 
 
-async def route(text: str, structure: Structure | None, tools: Any, last: tuple[str, Structure] | None = None) -> Asked:
-    """What a turn asks for, given the S at hand, and what was typed last upon which S."""
-    return await _asked(tools, "route", text, structure, last)
-
-
-async def change(text: str, structure: Structure, tools: Any) -> Asked | None:
-    """The change of S that the learned model reads in what was typed; None where it reads none, or cannot read."""
-    return await _asked(tools, "change", text, structure)
-
-
-def may_be_change(text: str, plain: Asked) -> bool:
-    """Whether the learned model is asked what a text changes; `plain`: how the rules take it."""
-    words = len(text.split())
-    aside = plain.kind == "scenario" and words <= LONGEST_ASIDE and not re.search(r"[.;!?\n]\s*\S", text)
-    return aside or plain.kind == "edit" and not plain.corrects and words <= LONGEST_CHANGE
+async def route(text: str, structure: Structure | None, tools: Any, last: tuple[str, Structure] | None = None,
+                learned: Structure | None = None) -> Asked:  # fmt: skip
+    """What a turn asks for, given the S at hand, and what was typed last upon which S; `learned`: S that the learned
+    model is asked with, where it reads changes first."""
+    return await _asked(tools, "route", text, structure, last, learned)
 
 
 async def _asked(tools: Any, name: str, *arguments: Any) -> Any:
@@ -144,7 +134,7 @@ def _frame(value: Any) -> bytes:
 
 
 def _answer(name: str, arguments: tuple[Any, ...]) -> Any:
-    from c2s_engine.interpret import EmbeddedInterpreter, InterpreterFault, InterpretError, turn
+    from c2s_engine.interpret import EmbeddedInterpreter, InterpreterFault, InterpretError
     from c2s_engine.interpret.phrases import without_each
 
     if name == "phrases":
@@ -157,19 +147,34 @@ def _answer(name: str, arguments: tuple[Any, ...]) -> Any:
             return learned.learned(text) if name == "learned" else EmbeddedInterpreter().interpret(text).structure
         except (InterpretError, InterpreterFault) as error:
             raise Unreadable(str(error)) from None
-    if name == "change":
-        return _change(*arguments)
-    text, structure, last = arguments
+    return routed(*arguments)
+
+
+def routed(text: str, structure: Structure | None, last: tuple[str, Structure] | None = None,
+           learned: Structure | None = None) -> Asked:  # fmt: skip
+    """What `route` answers, in this process: as the rules take it, but a change as the learned model reads it, where it
+    does."""
+    from c2s_engine.interpret import InterpreterFault, turn
+
     try:
         asked = turn.route(text, structure, turn.PreviousTurn(*last) if last else None)
     except InterpreterFault as fault:
         return Asked("edit", reply=str(fault))
-    return Asked(asked.kind, tuple(asked.edits), asked.reply, asked.corrects)
+    plain = Asked(asked.kind, tuple(asked.edits), asked.reply, asked.corrects)
+    return plain if learned is None or learned.blank else _by_model(text, plain, learned) or plain
 
 
-def _change(text: str, structure: Structure) -> Asked | None:
+def _by_model(text: str, plain: Asked, structure: Structure) -> Asked | None:
+    """What the learned model makes of a turn that the rules take for a change, or for a new scenario in one short
+    sentence; None where it knows no change."""
     from c2s_engine.interpret.learned import ReaderError, read_change
+    from c2s_engine.interpret.turn import is_english
 
+    words = len(text.split())
+    aside = plain.kind == "scenario" and words <= LONGEST_ASIDE and not re.search(r"[.;!?\n]\s*\S", text)
+    changes = plain.kind == "edit" and not plain.corrects and 0 < words <= LONGEST_CHANGE
+    if not (aside or changes) or not is_english(text):
+        return None
     try:
         found = read_change(text, structure)
     except ReaderError:

@@ -11,7 +11,7 @@ from c2s_engine.session.asked import HELP, answered, wants_help
 from c2s_engine.session.citing import description_of, kept, tells_scenario, wanted
 from c2s_engine.session.facade import Facade
 from c2s_engine.session.glossary import meaning
-from c2s_engine.session.reader import change, may_be_change, route
+from c2s_engine.session.reader import route
 from c2s_engine.session.steps import Emit
 from c2s_engine.session.streams import Result, streamed
 from c2s_engine.session.why import explained
@@ -179,9 +179,7 @@ async def _routed(
     """How the turn is taken: by the model where the method has one, else by the embedded routing."""
     facts = next(iter(shown.facts), None) if shown is not None and shown.structure == structure else None
     measured = with_measured_values(structure, facts) if structure is not None else None
-    plain = await route(text, measured, engine.tools, last)
-    if structure is not None and not structure.blank and method == METHOD and may_be_change(text, plain):
-        return await change(text, structure, engine.tools) or plain
+    plain = await route(text, measured, engine.tools, last, structure if method == METHOD else None)
     if structure is None or plain.corrects or not uses_model(engine, method):
         return plain
     from c2s_engine.interpret import EmbeddedInterpreter

@@ -5,6 +5,7 @@ import pytest
 
 from c2s_engine.dryrun.events.environment import weather_and_time
 from c2s_engine.dryrun.events.kinds import types_of
+from tests.dryrun.conftest import HEAD
 
 
 def start(facts, name="a", other="ego"):
@@ -123,3 +124,27 @@ def test_types(town):
     assert types_of(town.walk("a", lane, 10, 0.0, 0.0, role="child")) == ("pedestrian", "vru")
     assert types_of(town.ride("a", lane, 10, 0.0, kind="bicycle")) == ("bicycle", "vru")
     assert types_of(town.prop("a", lane, 10)) == ("obstacle",)
+
+
+WAITS = """behavior Waits():
+    try:
+        take SetSpeedAction(5)
+        while True:
+            wait
+    interrupt when self.speed > 50:
+        take SetBrakeAction(1)
+behavior Goes():
+    do FollowLaneBehavior(5)
+lane = Uniform(*[l for l in network.lanes if l.centerline.length > 200 and l.road])
+ego = new Car at lane.centerline.pointAlongBy(20), with name 'ego', with behavior Waits()
+other = new Car at lane.centerline.pointAlongBy(60), with name 'other', with behavior Goes()
+stands = new Car at lane.centerline.pointAlongBy(100), with name 'stands'
+"""
+
+
+def test_it_is_known_at_which_line_of_the_program_each_behavior_ended(run):
+    found = run(WAITS, seconds=2.0)
+    lines = (HEAD + WAITS).split("\n")
+    assert {name: lines[line - 1].strip() for name, line in found.lines.items()} == {
+        "ego": "wait", "other": "do FollowLaneBehavior(5)"
+    }  # fmt: skip

@@ -883,3 +883,12 @@ def test_deriving_and_judging_cost_little() -> None:
         results = evaluate(require(structure), scene.facts, scene.trajectories)
         times.append(time.process_time() - began)
     assert len(results) > 15 and sorted(times)[2] < 0.03
+
+
+def test_a_phase_that_does_not_occur_names_the_line_at_which_its_behavior_ended() -> None:
+    structure = s(brakes())
+    run = Scene([ego(), other()]).run()
+    objects = tuple(o.model_copy(update={"line": 12 if o.component == "O1" else None}) for o in run.facts.objects)
+    facts = run.facts.model_copy(update={"objects": objects})
+    seen = {r.requirement: r.seen for r in evaluate(require(structure), facts, run.trajectories)}
+    assert seen["O1.phases.0.brake"].endswith("; its behavior ended at line 12 of the program")

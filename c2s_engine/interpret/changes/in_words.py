@@ -10,7 +10,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import AddObject, Edit, SetField
 from c2s_engine.structure.quantity import ends
 
-PARTS = {"R": "the place", "G": "the scene"}
+PARTS = {"R": "the place", "G": "the scene", "T": "T"}
 
 
 def in_words(edits: list[Edit], structure: Structure) -> str:

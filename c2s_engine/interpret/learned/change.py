@@ -10,12 +10,16 @@ does not name stays as it is, to the last digit.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from copy import deepcopy
 from dataclasses import dataclass
 from typing import Any
 
+from c2s_engine.interpret.changes import pointed
 from c2s_engine.interpret.changes.corrected import differences
+from c2s_engine.interpret.changes.in_words import in_words as worded
 from c2s_engine.interpret.changes.removal_edits import removal_edits
 from c2s_engine.interpret.learned.decoder import loaded
 from c2s_engine.interpret.learned.notation import NONE, PLACEMENT, Components, parse, short
@@ -23,10 +27,10 @@ from c2s_engine.interpret.learned.quantities import si
 from c2s_engine.interpret.learned.reader import component_of_data
 from c2s_engine.interpret.learned.units import with_units
 from c2s_engine.interpret.llm.fallback import distinct_names
-from c2s_engine.structure.components import Component, Structure, field_words
-from c2s_engine.structure.edits import Edit, apply
+from c2s_engine.interpret.reading import scan
+from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.edits import AddObject, Edit, EditError, SetField, apply
 from c2s_engine.structure.sentences import sentence, with_updated_sentences
-from c2s_engine.structure.shown import value_in_words
 from c2s_engine.structure.specs import ObjectSpec, Spec
 
 TYPED = "\n> "
@@ -62,8 +66,8 @@ def answer_of(lines: Sequence[str]) -> str:
 
 
 def read_change(text: str, structure: Structure) -> Change | None:
-    """The change that a text asks for; None where the model's answer does not fit S or is not `LEAST` likely. Raises
-    ReaderError."""
+    """The change that a text asks for; None where the model's answer is not `LEAST` likely, does not fit S, or changes
+    somebody else than the one named, who is not there. Raises ReaderError."""
     answer = loaded().answer(prompt(structure, text))
     lines = [line.strip() for line in answer.text.splitlines() if line.strip()]
     likely = math.exp(min((p for _, p in answer.tokens), default=0.0))
@@ -75,41 +79,40 @@ def read_change(text: str, structure: Structure) -> Change | None:
         after = changed_structure(structure, lines)
     except ValueError:
         return None
-    words = in_words(structure, after)
-    words += f"; {GUESS.format(likely)}" if likely < SURE else ""
     edits = tuple(differences(structure, after))
-    return Change(edits, words, likely) if edits else None
+    if not edits or pointed.stranger(" ".join(scan.normalised(text).split()), edits, structure):
+        return None
+    guess = f"; {GUESS.format(likely)}" if likely < SURE else ""
+    return Change(edits, in_words(structure, after) + guess, likely)
 
 
 def changed_structure(structure: Structure, lines: Sequence[str]) -> Structure:
     """S with the lines of a change; raises ValueError where a line cannot be read, or what it says does not fit."""
     data = {c.id: _plain(c) for c in structure.components}
-    after = changed(data, [line for line in lines if ":" in line])
-    gone = [line[1:] for line in lines if ":" not in line and line.startswith("-")]
+    gone = [line[1:] for line in lines if re.fullmatch(r"-O\d+", line)]
+    after = changed(data, [line for line in lines if line[1:] not in gone])
     speeds = {"ego" if cid == "E" else cid: si(d["speed"]) for cid, d in after.items() if "speed" in d}
     ids = {"ego", *(cid for cid in after if cid[0] == "O")}
-    there, kept = {c.id: c for c in structure.components}, dict[str, Component]()
+    found = structure
     for cid, own in after.items():
-        before = there.get(cid)
-        if before is not None and own == data[cid]:
-            kept[cid] = before
+        if own == data.get(cid):
             continue
         made = component_of_data(cid, own, ids, speeds)
         if made.unmet:
             raise ValueError(f"{cid}: {made.unmet[0].text}")
-        kept[cid] = made if before is None else before.model_copy(
-            update={"spec": made.spec, "assumed": tuple(a for a in before.assumed if _same(before, made, a.field))}
-        )  # fmt: skip
-    objects = tuple(kept[cid] for cid in after if cid[0] == "O")
-    named = {"settings": kept["G"], "place": kept["R"], "ego": kept["E"], "restrictions": kept["T"]}
-    if missing := [line for line in lines if ":" not in line and line[1:] not in kept]:
-        raise ValueError(f"{missing[0]}: there is no {missing[0][1:]}")
-    changed_so = distinct_names(structure.model_copy(update={**named, "objects": objects}))
-    for added in (c for c in changed_so.objects if c.id not in there):
-        changed_so = changed_so.with_component(added.model_copy(update={"description": sentence(added, changed_so)}))
-    for edit in removal_edits([changed_so[cid] for cid in gone], changed_so):
-        changed_so = apply(changed_so, edit)
-    return with_updated_sentences(structure, changed_so)
+        if cid in structure:
+            assumed = tuple(a for a in structure[cid].assumed if _same(structure[cid], made, a.field))
+            found = found.with_component(structure[cid].model_copy(update={"spec": made.spec, "assumed": assumed}))
+        else:
+            found = found.model_copy(update={"objects": (*found.objects, made)})
+    found = distinct_names(found)
+    for added in (c for c in found.objects if c.id not in structure):
+        found = found.with_component(added.model_copy(update={"description": sentence(added, found)}))
+    if missing := [cid for cid in gone if cid not in found]:
+        raise ValueError(f"-{missing[0]}: there is no {missing[0]}")
+    for edit in removal_edits([found[cid] for cid in gone], found):
+        found = apply(found, edit)
+    return with_updated_sentences(structure, found)
 
 
 def changed(components: Components, lines: Sequence[str]) -> Components:
@@ -131,50 +134,34 @@ def changed(components: Components, lines: Sequence[str]) -> Components:
 
 def in_words(before: Structure, after: Structure) -> str:
     """What sets one S apart from another, in a sentence."""
-    said = [f"{c.id} added" for c in after.objects if c.id not in before]
-    said += [f"{c.id} removed" for c in before.objects if c.id not in after]
+    edits: list[Edit] = []
     for component in after.components:
-        was = before[component.id].spec if component.id in before else None
-        if was is None or was == component.spec:
-            continue
-        now = component.spec
-        fields = [(path, getattr(was, path), getattr(now, path)) for path in type(now).model_fields]
-        if isinstance(was, ObjectSpec) and isinstance(now, ObjectSpec):
-            fields += [(f"placement.{p}", getattr(was.placement, p), getattr(now.placement, p))
-                       for p in type(now.placement).model_fields]  # fmt: skip
-        other = (_field_in_words(path, one, two) for path, one, two in fields
-                 if one != two and path not in ("placement", "name"))  # fmt: skip
-        name = "ego" if component.id == "E" else component.id
-        said.append(f"{name}: {', '.join(other)}")
-    return "; ".join(said)
+        was, now = before[component.id].spec if component.id in before else None, component.spec
+        if was is None:
+            edits.append(AddObject(component=component.id, spec=now))  # type: ignore[arg-type]
+        elif isinstance(was, ObjectSpec) and isinstance(now, ObjectSpec):
+            edits += _set(component.id, "", was, now)
+            edits += _set(component.id, "placement.", was.placement, now.placement)
+        else:
+            edits += _set(component.id, "", was, now)
+    gone = [f"{c.id} removed" for c in before.objects if c.id not in after]
+    return "; ".join(filter(None, [worded(edits, before), *gone]))
 
 
-def _field_in_words(path: str, was: Any, now: Any) -> str:
-    return f"{field_words(path)} {'left open' if now is None and was is not None else value_in_words(path, now)}"
+def _set(cid: str, path: str, was: Spec, now: Spec) -> Iterator[Edit]:
+    """The fields of a spec, but for its name and what is told apart below it, that become another."""
+    for name in type(now).model_fields:
+        if name not in ("name", "placement") and (value := getattr(now, name)) != getattr(was, name):
+            yield SetField(component=cid, path=path + name, value=value)
 
 
 def _said(structure: Structure) -> Structure:
     """S without what was only assumed for it to run."""
     for component in structure.components:
-        data = component.spec.model_dump(exclude_defaults=True)
-        for path in (a.field for a in component.assumed if a.by != "reader"):
-            _drop(data, path.split("."))
-        spec = type(component.spec).model_validate({"component": component.spec.component, **data})
-        structure = structure.with_component(component.model_copy(update={"spec": spec}))
+        for field in (a.field for a in component.assumed if a.by != "reader"):
+            with suppress(EditError):  # a field that cannot be left open stays
+                structure = apply(structure, SetField(component=component.id, path=field, value=None))
     return structure
-
-
-def _drop(data: Any, path: list[str]) -> None:
-    *around, last = path
-    for step in around:
-        if isinstance(data, Mapping) and step in data:
-            data = data[step]
-        elif isinstance(data, list | tuple) and step.isdigit() and int(step) < len(data):
-            data = data[int(step)]
-        else:
-            return
-    if isinstance(data, dict):
-        data.pop(last, None)
 
 
 def _plain(component: Component) -> dict[str, Any]:

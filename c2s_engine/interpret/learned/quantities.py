@@ -15,17 +15,18 @@ _ONE = re.compile(rf"({_NUMBER})\s*([a-z/]+[23]?)")
 _RANGE = re.compile(rf"({_NUMBER})\s*-\s*({_NUMBER})\s*([a-z/]+[23]?)")
 
 
-_DIMENSIONS = {
+DIMENSIONS = {
     "m": ("m", "cm", "km", "ft", "yd", "mi"), "s": ("s", "ms", "min"),
     "m/s": ("km/h", "kph", "mph", "m/s", "ft/s", "knots"), "m/s2": ("m/s2", "g"), "m/s3": ("m/s3",),
 }  # fmt: skip
+"""By SI unit, the units that measure the same."""
 
 
 def unit_of(value: Any) -> str:
     """The SI unit of a quantity as written; empty for all else."""
     found = (_ONE.fullmatch(value.strip()) or _RANGE.fullmatch(value.strip())) if isinstance(value, str) else None
     unit = found[found.lastindex or 0] if found else ""
-    return next((name for name, units in _DIMENSIONS.items() if unit in units), "")
+    return next((name for name, units in DIMENSIONS.items() if unit in units), "")
 
 
 def si(value: Any) -> Any:

@@ -3,7 +3,7 @@
 import re
 from typing import Any
 
-from c2s_engine.interpret.learned.quantities import UNITS, si
+from c2s_engine.interpret.learned.quantities import DIMENSIONS, UNITS, si
 from c2s_engine.structure.components import Structure
 
 OF_FIELD = {
@@ -14,14 +14,6 @@ OF_FIELD = {
 OF_TRIGGER = {"ttc": "s", "time": "s", "speed": "m/s"}
 OF_LIMIT = {"speed": "m/s", "acceleration": "m/s2", "deceleration": "m/s2", "lateral_acceleration": "m/s2",
             "jerk": "m/s3", "ttc": "s", "time": "s"}  # fmt: skip
-KINDS = {
-    "m": "m cm km ft yd mi",
-    "s": "s ms min",
-    "m/s": "km/h kph mph m/s ft/s knots",
-    "m/s2": "m/s2 g",
-    "m/s3": "m/s3",
-}
-"""By SI unit, the units that measure the same."""
 WORDS = {"kph": "km/h", "kmh": "km/h", "metres": "m", "meters": "m", "metre": "m", "feet": "ft", "seconds": "s",
          "second": "s", "sec": "s", "yards": "yd", "m/s²": "m/s2"}  # fmt: skip
 NOT_MEASURED = ("arms", "lanes", "lanes_over", "count")
@@ -58,6 +50,6 @@ def _said(value: Any, told: list[str], name: str, around: dict[str, Any]) -> Any
         low, high = value
         return f"{low:g}-{high:g} {unit}"
     assert isinstance(value, int | float)
-    same = (t for t in told if t.split()[1] in KINDS[unit].split() and abs(si(t) - value) <= max(0.006 * value, 0.006))
+    same = (t for t in told if t.split()[1] in DIMENSIONS[unit] and abs(si(t) - value) <= max(0.006 * value, 0.006))
     in_kmh = unit == "m/s" and name != "lateral_speed"
     return next(same, f"{round(value * 3.6, 1):g} km/h" if in_kmh else f"{value:g} {unit}")

@@ -89,8 +89,8 @@ async def _without(text: str, parts: Sequence[tuple[Span, str]], structure: Stru
 async def edit_phrases_without_effect(text: str, upon: Structure, tools: Tools,
                                       learned: bool = False) -> tuple[Unmet, ...]:  # fmt: skip
     """The phrases of a change upon S without which it would be the same change, in the order of the text; of another
-    description, those without which its S would be the same. Nothing where the model that reads changes first (`learned`)
-    has read it otherwise than the rules, which are asked here. Raises Unreadable."""
+    description, those without which its S would be the same. None at all where the model that reads changes first
+    (`learned`) has read it otherwise than the rules, which are asked here. Raises Unreadable."""
     asked = await route(text, upon, tools)
     if learned:
         by_model = await route(text, upon, tools, learned=upon)

@@ -87,6 +87,8 @@ def comes_back(requirement: Requirement, evidence: Evidence) -> Result:
     first += int(np.nan_to_num(aside[first:]).argmax())  # from where it is furthest out
     least = int(aside[first:].argmin()) + first
     near = np.flatnonzero(aside[first:] <= room)
+    if not len(near) and motion.contact is not None:
+        return unknown(requirement, said, "not judged: a contact ended its way")
     if len(near):
         evidence.times[requirement.id] = float(motion.time[first + near[0]])
     return scored(requirement, (room - float(aside[least])) / room, said, f"{aside[least]:.1f} m beside its middle",

@@ -13,10 +13,11 @@ from c2s_engine.structure.facts import EGO, component_of
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import Phase
+from c2s_engine.structure.vocabulary import VEHICLES
 
 OVER_LINE = ("cut_in", "cut_out", "lane_change")
 SLOWS = ("brake", "stop")
-SETS_OUT = ("enter_road", "cross_road", "move_along", "reverse")
+SETS_OUT = ("enter_road", "cross_road", "leave_road", "move_along", "reverse")
 """What begins as somebody who stood sets out, long before it is seen on the road."""
 SIDEWAYS = (*OVER_LINE, "swerve", "drift")
 LANE = 3.5
@@ -254,10 +255,21 @@ def delayed(requirement: Requirement, evidence: Evidence) -> Result:
     cause, first = evidence.motion(requirement.other or EGO), evidence.times.get(str(v["after"]))
     if motion is None or time is None or v["after"] and (first is None or cause is None):
         return unknown(requirement, said, "not judged: one of the two events did not occur")
-    since = onset(cause, str(v["its"]), first) if cause is not None and first is not None and v["after"] else 0.0
+    its = str(v["its"])
+    since = (first or 0.0) if its == "stop" else 0.0  # it counts from when that one stands
+    since = onset(cause, its, first) if cause is not None and first is not None and its != "stop" else since
     seen = onset(motion, str(v["action"]), time) - since
     room = bounds()["order"]["delay"]["value"] + 0.2 * span(requirement)[1]
     return between(requirement, seen, room, said, f"{seen:.1f} s", time)
+
+
+def got_past(motion: Motion, other: Motion | None) -> list[float]:
+    """When it has got past one that is no vehicle, having begun behind it."""
+    if other is None or other.kind in VEHICLES:
+        return []
+    n, apart = min(len(motion.x), len(other.x)), 0.5 * (motion.size[0] + other.size[0])
+    ahead = -lead(motion.poses[:n], other.poses[:n])
+    return [float(motion.time[int(np.argmax(ahead > apart))])] if ahead[0] < -apart and ahead.max() > apart else []
 
 
 def let_go_first(motion: Motion, other: Motion | None) -> list[float]:

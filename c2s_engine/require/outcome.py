@@ -169,7 +169,8 @@ def no_other_contact(requirement: Requirement, evidence: Evidence) -> Result:
     said = {frozenset(str(p).split()) for p in pairs}
     for c in evidence.facts.contacts:
         who = [evidence.components.get(name) or name for name in (c.one, c.other)]
-        if frozenset(who) not in said:
+        pushed = who[0] == who[1] and any(who[0] in pair for pair in said)  # one of a row into the next
+        if frozenset(who) not in said and not pushed:
             return scored(requirement, -1.0, "no other contact", f"{c.one} and {c.other} collide", c.time)
     return scored(requirement, 1.0, "no other contact", "none")
 

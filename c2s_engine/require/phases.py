@@ -196,6 +196,10 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
             times = [_begun(motion, t) for t in times] or moments.cut_off(motion)
         if action in AT_JUNCTION and not times:
             times = _cut_short(motion, action, halts="halts" in requirement.values)
+        if action == "overtake" and not times:
+            times = moments.got_past(motion, evidence.motion(requirement.other or EGO))
+            hit = evidence.contacts(requirement.actor, requirement.other or EGO)
+            times = times or [moments.onset(motion, action, c.time) for c in hit[:1]]  # it began to
         if action == "yield" and not times:
             times = moments.let_go_first(motion, evidence.motion(requirement.other or EGO))
         if action == "keep_lane" and earliest and not times:
@@ -222,7 +226,11 @@ def _cut_short(motion: Motion, action: str, halts: bool) -> list[float]:
     a stand, if it was going that way by then."""
     inside = [s for s in motion.course.stays if s.kind == "junction"]
     ended = motion.contact is not None or halts and motion.speed[-1] < STANDING
-    if not ended or not inside or action in ("run_red", "run_stop"):
+    if not ended or action in ("run_red", "run_stop"):
+        return []
+    if not inside and motion.contact is not None and action in ("turn_left", "turn_right"):  # as it begins to turn
+        inside = list(motion.course.stays[-1:])
+    if not inside:
         return []
     turned = float(motion.heading[-1] - motion.heading[motion.at(inside[-1].time)])
     begun = bounds()["phase"]["turn_begun"]["value"]

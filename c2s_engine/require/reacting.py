@@ -16,7 +16,8 @@ from c2s_engine.require.scene import bounds
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.requirements import Requirement, Result
 
-TURNS = ("turn_left", "turn_right")
+TURNS = ("turn_left", "turn_right", "u_turn")
+SETS_OUT = ("cross_road", "enter_road", "reverse", "u_turn")
 
 
 def another_scene(actor: str, one: Evidence, other: Evidence) -> str | None:
@@ -142,7 +143,7 @@ def _onset(motion: Motion, action: str) -> float | None:
         lines = [m.start for m in motion.course.marks if m.kind == "line"]
         rest = min(((s - front) for s in lines if s > front[0]), key=lambda r: r[0], default=np.zeros(len(front)))
         moved = rest < motion.speed**2 / (2 * limits["stopping"]["value"])
-    elif action in ("cross_road", "enter_road", "reverse", "u_turn"):
+    elif action in SETS_OUT and (motion.speed[0] <= 0.3 or action not in TURNS):
         moved = (motion.speed > 0.3) if motion.speed[0] <= 0.3 else np.zeros(len(motion.speed), bool)
     elif action in TURNS:
         moved = (np.abs(motion.heading - motion.heading[0]) > limits["turned"]["value"]) | (motion.acceleration < -1.0)

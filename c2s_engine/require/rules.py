@@ -23,7 +23,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if spec.type not in VEHICLES or not scene.recognised(actor):
             continue
         name, actions = scene.named(actor), {p.action for p in spec.phases}
-        if "run_red" not in actions:
+        on_red = actor == EGO and "turn_right" in actions and actions & {"stop", "yield"}  # which is allowed
+        if "run_red" not in actions and not on_red:
             yield scene.make("rules", "unseen", actor, "obeys_light", f"{name} does not enter on red.", event="run_red")
         if "run_stop" not in actions:
             yield scene.make(

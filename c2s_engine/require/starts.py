@@ -29,6 +29,7 @@ LANE = 3.5
 RIDERS = ("bicycle", "motorcycle")
 """Who is beside another in its lane or at its edge, too."""
 NEXT_LANES = ("left_lane", "right_lane")
+APPROACHES = ("opposite_approach", "crossing_left", "crossing_right", "circulating", "oncoming_lane")
 OFF_LANES = ("roadside", "sidewalk", "parked")
 ACROSS = 0.7
 """The sine of the angle to ego's way from which one looks across it."""
@@ -88,10 +89,12 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
     if place.hidden_by is not None:
         hider = scene.objects.get(place.hidden_by)
         passes = place.position in OFF_LANES and hider is not None and hider.placement.position in NEXT_LANES
+        comes = place.position in APPROACHES
         text = f"{name} is hidden from ego by {scene.named(place.hidden_by)} " \
-            f"{'as it comes from beside the road' if passes else 'at first'}."  # fmt: skip
-        kind, check = ("place", "comes_hidden") if passes else ("start", "hidden")
-        yield scene.make(kind, check, actor, "placement.hidden_by", text, other=place.hidden_by)  # type: ignore[arg-type]
+            f"{'as it comes' if passes or comes else 'at first'}."  # fmt: skip
+        kind, check = ("place", "comes_hidden") if passes or comes else ("start", "hidden")
+        yield scene.make(kind, check, actor, "placement.hidden_by", text, other=place.hidden_by,  # type: ignore[arg-type]
+                         at_first=comes)  # fmt: skip
     if place.facing in ("along", "against") and spec.type not in ("pedestrian", "child", "animal"):
         yield scene.make("start", "facing", actor, "placement.facing", f"{name} faces {place.facing} the road.",
                          against=place.facing == "against")  # fmt: skip
@@ -195,7 +198,10 @@ def hidden(requirement: Requirement, evidence: Evidence) -> Result:
 
 
 def comes_hidden(requirement: Requirement, evidence: Evidence) -> Result:
-    """Of who comes over the lane in which another stands: not seen just before it is in ego's."""
+    """Of who comes over the lane in which another stands, or by another road: not seen just before it is in ego's lane;
+    by another road, or at first."""
+    if requirement.values["at_first"] and hidden(requirement, evidence).holds:
+        return hidden(requirement, evidence)
     motion, said = evidence.motion(requirement.actor), "hidden as it comes"
     half = bounds()["start"]["half_lane"]["value"]
     there = np.flatnonzero(np.abs(motion.of_course("ego_aside")) < half) if motion else np.zeros(0, int)

@@ -581,7 +581,7 @@ behavior BrakeFor(points, threats, least=1, release=0, stands=None):
     first, until it takes no more than `release`; with `stands` to a stand, and until it takes no more than that. From then
     on it keeps behind those that drive ahead of it."""
     enough, slow = (release, math.inf) if stands is None else (stands, 0.2)
-    eased = 0.6 * self.speed
+    eased, least = (0.6 * self.speed, least) if stands is None else (0, max(least, 2.5))
     rate = lambda: max(least if self.speed > eased else min(least, 1),
                        min(9 if self.speed > 2 else 4, 1.1 * _force(self, threats)))
     do Drive(points, 0, rate=rate) until self.speed < slow and _force(self, threats) <= enough
@@ -641,6 +641,13 @@ behavior BackInto(other, speed):
         place = (other.position - self.position).rotatedBy(-self.heading)
         steer = place.x / max(abs(place.y), 3)
         take SetReverseAction(True), SetSteerAction(max(-0.8, min(0.8, steer))), SetSpeedAction(-speed)
+
+def leaves_for(car, points, other):
+    """How far (m) before `other`, beside the way of points, `car` leaves it so as to hit it, turning no harder than
+    `SWINGS` m/s2."""
+    return max(15 + 1.5 * car.speed, car.speed * math.sqrt(2 * along_line(points, other.position)[1] / SWINGS))
+
+SWINGS = 4
 
 def near(car, other):
     """Whether `car` and `other` would touch within about a second if one turned to the other."""
@@ -871,12 +878,14 @@ def need(car, other):
     place = (other.position - car.position).rotatedBy(-car.heading)
     motion = other.velocity.rotatedBy(-car.heading)
     across = abs(math.sin(other.heading - car.heading))
-    if across < 0.5 and getattr(other, 'isVehicle', False) and not off_lane(other, 0.9):
+    in_lane = across < 0.5 and getattr(other, 'isVehicle', False) and not off_lane(other, 0.9)
+    if in_lane:
         motion = Vector(0, motion.y)  # nobody can see yet that it is leaving its lane
     gap = place.y - (car.length + other.width * across + other.length * (1 - across)) / 2
     closing = car.speed - motion.y
-    aside = 0.4 if other.speed < 0.3 and getattr(other, 'isVehicle', False) else 0.8  # m of room, at least
-    reach = (car.width + other.length * across + other.width * (1 - across)) / 2 + aside
+    room = 0.4 if other.speed < 0.3 and getattr(other, 'isVehicle', False) else 0.8  # m, at least
+    room = 0.25 if in_lane else room
+    reach = (car.width + other.length * across + other.width * (1 - across)) / 2 + room
     if place.y <= 0 or across > 0.5 and getattr(other, 'isVehicle', False) and could_stop(other):
         return 0
     if gap < 8 and car.speed < 2 and motion.y < 1 and abs(place.x) < reach:

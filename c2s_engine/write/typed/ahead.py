@@ -39,6 +39,9 @@ CLEAR = 0.6
 """s between being out of the lane and being where somebody stands in it."""
 TIGHT = 0.8
 """s: the time gap at which one cuts in, so that whoever is behind has to do something about it."""
+GETS_PAST = ("swerve", "overtake", "collide", "lane_change")
+AHEAD = ("ahead", "partly_in_lane", "roadside", "parked")
+"""Where something is that is ahead of ego where nothing else is said."""
 LEAST = 6.0
 """m between the two then, at least."""
 
@@ -152,6 +155,32 @@ def gone_round(structure: Structure) -> Structure:
                 comes = middle(speed_of(other.spec, place)) * (UNDISTURBED + WARNED)  # type: ignore[arg-type]
                 comes -= LENGTH[spec.type] + LENGTH[other.spec.type]  # type: ignore[union-attr]
                 structure = structure.with_spec(other.id, placement=there.model_copy(update={"gap": round(comes, 1)}))
+    return structure
+
+
+def comes_first(structure: Structure) -> Structure:
+    """With what stands beside the road or in the lane ahead, nobody says how far, beyond where one is, also ahead of
+    ego, that gets past it or hits it: as far from there as that drives before it does something."""
+    place = structure.place.spec
+    assert isinstance(place, PlaceSpec)
+    for component in structure.objects:
+        spec = component.spec
+        assert isinstance(spec, ObjectSpec)
+        at = spec.placement
+        for phase in spec.phases:
+            thing = structure[phase.target].spec if phase.target and phase.target in structure else None
+            if phase.action not in GETS_PAST or not isinstance(thing, ObjectSpec) or not is_static(thing):
+                continue
+            there = thing.placement
+            both = at.of == there.of == "ego" and "behind" not in (at.position, at.along, there.position, there.along)
+            if not both or there.position not in AHEAD or at.position not in AHEAD or is_static(spec):
+                continue
+            own = middle(speed_of(spec, place))
+            gap = middle(at.gap) if at.gap is not None else default_gap(spec, own, place)
+            reached = round(gap + LENGTH[spec.type] + own * (UNDISTURBED + WARNED), 1)
+            if there.gap is None:
+                changes = {"gap": reached}
+                structure = structure.with_spec(str(phase.target), placement=there.model_copy(update=changes))
     return structure
 
 

@@ -4,12 +4,13 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase, SettingsSpec, Trigger
 from c2s_engine.write.typed import ahead, lights, scope
 from c2s_engine.write.typed.course import Actor, Course
+from c2s_engine.write.typed.lanes import leaves_behind
 from c2s_engine.write.typed.lateral import LATERAL
 from c2s_engine.write.typed.overtakings import nearest
 from c2s_engine.write.typed.steps import AT_LINE, IN_JUNCTION, Step, steps
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, AT_REST, TURN
 from c2s_engine.write.typed.towards import SETS_OFF, its_turn
-from c2s_engine.write.typed.triggers import implicit, stated
+from c2s_engine.write.typed.triggers import FORCED, drives_ahead, implicit, stated
 from c2s_engine.write.typed.usual import SETS_OUT, SLOWS_DOWN, slows_before
 from c2s_engine.write.typed.watching import watched
 
@@ -68,7 +69,7 @@ def _steps(course: Course) -> list[Step]:
     done: list[Step] = []
     course.behind = _overtaken_later(course, phases)
     if not phases or phases[0].trigger is not None or implicit(course, phases[0]):
-        done.append(([course.drive(SLOW if course.actor.sets_out else None)], ""))
+        done.append(([course.drive(SLOW if course.actor.sets_out else _behind_awaited(course, phases))], ""))
     for i, phase in enumerate(phases):
         ended = i > 0 and phases[i - 1].until is not None  # what comes before lasts until that
         condition = stated(course, phase) if phase.trigger else "" if ended else implicit(course, phase, i == 0)
@@ -80,7 +81,8 @@ def _steps(course: Course) -> list[Step]:
                 condition = f"{IN_JUNCTION} and ({condition.removeprefix('until ')})" if answers else IN_JUNCTION
             merges = course.on_ramp and phase.action in ("cut_in", "lane_change")  # before that lane ends
             reached = done[-1][1] if phase.trigger and phase.trigger.kind == "action" and not merges else ""
-            if reached.startswith("until self.speed"):  # it finishes what it does: what others do can still be seen
+            finishes = reached.startswith("until self.speed") and phase.action not in FORCED
+            if finishes:  # it finishes what it does: what others do can still be seen
                 condition = f"{reached} and {condition.removeprefix('until ')}"
             stands = i > 0 and phases[i - 1].action == "stop" and done[-1][1] == "for 1 seconds"
             if stands and phase.trigger and phase.trigger.kind == "passed":  # even if that one has gone by before
@@ -107,6 +109,18 @@ def _steps(course: Course) -> list[Step]:
         if _at_line(course.actor, phase, i) and (turn := its_turn(course.actor)):
             done.append(([course.drive("0", 4)], f"until {turn}"))
     return done
+
+
+def _behind_awaited(course: Course, phases: list[Phase]) -> str | None:
+    """The pace of one that comes up to another ahead in its lane and waits for what that does; None: its own."""
+    trigger = phases[0].trigger if phases else None
+    whom = trigger.of if trigger is not None and trigger.kind == "action" else None
+    if leaves_behind(course.actor.spec):
+        return course.pacing(whom, course.speed)
+    if not course.actor.is_ego or whom is None or not drives_ahead(course, whom):
+        return None
+    faster = course.value > course.target_speed(phases[0].model_copy(update={"target": whom})) + 1
+    return course.pacing(whom, course.speed) if faster else None
 
 
 def _overtaken_later(course: Course, phases: list[Phase]) -> str:
@@ -139,6 +153,19 @@ def _gives_way_first(phases: list[Phase]) -> list[Phase]:
         if phase.action in TURN and then.action == "yield" and phase.trigger is None and then.trigger is None:
             return [*phases[:i], then, phase, *phases[i + 2 :]]
     return phases
+
+
+def _held_at_line(phases: list[Phase]) -> list[Phase]:
+    """The phases with letting another pass, before the junction, instead of a turn that waits for its passing."""
+    found: list[Phase] = []
+    for phase in phases:
+        t, stood = phase.trigger, any(p.action in AT_REST or p.action == "yield" for p in found)
+        waits = t is not None and t.kind == "passed" and t.subject not in (None, "ego") and t.delay is None
+        if phase.action in TURN and waits and t is not None and not stood:
+            found += [Phase(action="yield", target=t.subject), phase.model_copy(update={"trigger": None})]
+        else:
+            found.append(phase)
+    return found
 
 
 def _before_junction(actor: Actor, phases: list[Phase]) -> bool:
@@ -198,7 +225,7 @@ def phases_of(actor: Actor) -> list[Phase]:
         phases = [p for i, p in enumerate(phases) if (p.action, after[i]) != ("oncoming", "overtake")]
     if not actor.plan.junction or not (actor.is_ego or actor.approach):
         return _at_the_line(phases, _red(actor)) if actor.plan.junction and _on_egos_approach(actor) else phases
-    phases = _gives_way_first(phases)
+    phases = _gives_way_first(_held_at_line(phases))
     for i, phase in enumerate(phases):
         then = phases[i + 1] if i + 1 < len(phases) else None
         if phase.action == "brake" and phase.trigger is None and phase.speed and then and then.action in TURN:

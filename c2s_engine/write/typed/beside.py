@@ -10,6 +10,9 @@ from c2s_engine.write.typed.spot import Spot, measured, member, position_constan
 from c2s_engine.write.typed.tables import LENGTH, RAMP, WIDTH, is_vehicle, is_walker
 from c2s_engine.write.typed.usual import at_corner, right_behind, uses_crosswalk, walks_first
 
+IN_FILE = 0.8
+"""m from one to the next of those who cross by a crosswalk one after the other."""
+
 
 def behind_junction(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
     """Where ego leaves the junction: on that lane, those on foot and riders at its edge."""
@@ -44,13 +47,14 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
         line += f" + {scope.number(away)}" if away else ""
     else:
         line = measured(structure, cid, spec, plan, sign)
-    along = member(spec, at, sign or 1)
+    in_file = spec.count > 1 and uses_crosswalk(spec) and crosswalk(plan)
+    along = at if in_file else member(spec, at, sign or 1)
     back = stations.set_back(structure, cid, plan)
     if stations.parked_in_way(structure, cid):
         back = WIDTH[spec.type] / 2 - stations.INTO_LANE - stations.outwards(spec)
         if spec.placement.side == "left" and spec.placement.facing is None:  # as those go who come by there
             spec = spec.model_copy(update={"placement": spec.placement.model_copy(update={"facing": "against"})})
-    spot = _edge(spec, line, along, "place.lane", plan, back)
+    spot = _edge(spec, line, along, "place.lane", plan, back, IN_FILE if in_file else 0.0)
     if spec.placement.lateral is None or of != "ego":
         return spot
     left, room = spec.placement.side == "left", stations.from_lane(structure, spec)
@@ -89,9 +93,11 @@ def by_door(structure: Structure, spec: ObjectSpec) -> Spot:
     return Spot((), (where, facing, "with regionContainedIn everywhere"), "straight_on(self)", off_road=True)
 
 
-def _edge(spec: ObjectSpec, constant: str, along: str, lane: str, plan: Plan, back: float = 0.0) -> Spot:
+def _edge(
+    spec: ObjectSpec, constant: str, along: str, lane: str, plan: Plan, back: float = 0.0, step: float = 0.0
+) -> Spot:
     """Beside the road: outwards from the edge of the lanes, next to where one is so far `along` the lane, and
-    so far `back` from there."""
+    so far `back` from there, each of several by a `step` further out."""
     left = spec.placement.side == "left"
     two_way = stations.two_way(plan)
     outermost = lane == "place.lane" and plan.place.ego_lane == "rightmost"
@@ -101,6 +107,7 @@ def _edge(spec: ObjectSpec, constant: str, along: str, lane: str, plan: Plan, ba
     edge = right if not left else f"{lane}.group.leftEdge" if one_way else far
     out = round(stations.outwards(spec) + back, 1)
     offset = scope.number(-out if left else out)
+    offset += f" {'-' if left else '+'} {scope.number(step)} * i" if step else ""
     specifiers = (
         f"at beside({edge}, {lane}, {along}, {offset})",
         f"facing {_facing(spec, left)}heading_at({lane}, {along})",

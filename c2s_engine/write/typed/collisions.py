@@ -84,6 +84,8 @@ def collides(c: Course, p: Phase) -> list[Step]:
         until = slowed(c.actor, p.target)
         return [*([([c.drive(waits, 4)], f"until {until} or {LATE}")] if until else []), *_drives_on(c, other)]
     if c.actor.is_ego:
+        if p.speed is None and _just_drives(c.other(p.target)):  # nothing else brings ego to it
+            c.set(max(goal, c.target_speed(p) + FASTER))
         return _drives_on(c, other)
     faster = max(goal, c.target_speed(p) + 4)
     if side:  # after it
@@ -98,6 +100,11 @@ def collides(c: Course, p: Phase) -> list[Step]:
         rolls = c.drive(f"max(self.speed, {scope.number(ROLLS)})")
         return [([behind], f"until {until} or {LATE}"), ([rolls], f"until touch(self, {other})"), _stands(c)]
     return _drives_on(c, other)
+
+
+def _just_drives(spec: ObjectSpec | None) -> bool:
+    """Whether one drives on as it does."""
+    return spec is not None and not is_static(spec) and _does(spec) <= {"keep_lane", "follow", "move_along"}
 
 
 def _comes_over(c: Course, p: Phase, other: str) -> list[Step]:
@@ -281,12 +288,13 @@ def straight_for(c: Course, p: Phase, hit: str) -> list[Step]:
     other, goal = c.actor.ref(hit), c.set(c.wanted(p, c.value))
     ram = [f"do Ram({other}, {c.speed})"], f"until touch(self, {other})"
     if p.action != "drift":
-        return [([c.drive(goal)], f"until (distance from self to {other}) < 15 + 1.5 * self.speed"), ram]
+        return [([c.drive(goal)], f"until (distance from self to {other}) < leaves_for(self, line, {other})"), ram]
     spec = c.other(hit)
     left = spec is not None and spec.placement.side == "left"
     out = c.drive(goal, offset=scope.number(OVER_EDGE if left else -OVER_EDGE), shift=DRIFTS)
     seconds = round(sideways(OVER_EDGE, DRIFTS) + 0.3, 1)
-    near = f"until (distance from self to {other}) < 10 + {scope.number(seconds + 0.5)} * self.speed"
+    first = f"{scope.number(seconds)} * self.speed"
+    near = f"until (distance from self to {other}) < leaves_for(self, line, {other}) + {first}"
     return [([c.drive(goal)], near), ([out], f"for {scope.number(seconds)} seconds"), ram]
 
 

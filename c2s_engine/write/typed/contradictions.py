@@ -91,7 +91,7 @@ FITS = {
     "gap": ("cut_in", "cut_out", "lane_change", "overtake", "brake", "stop", "follow"),
     "lateral_speed": ("lane_change", "cut_in", "cut_out", "swerve", "drift"),
     "abandoned": ("lane_change", "cut_in", "overtake", "cross_road"),
-    "clearance": ("stop", "swerve", "keep_lane", "cross_road"),
+    "clearance": ("stop", "swerve", "overtake", "keep_lane", "cross_road"),
 }
 """The actions of which a phase can say a field."""
 OVER_BY_ITSELF = ("turn_left", "turn_right", "go_straight", "u_turn", "run_red", "run_stop", "collide", "cut_in")

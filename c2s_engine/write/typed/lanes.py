@@ -125,15 +125,37 @@ def offsets_of(
     return frozenset(used)
 
 
+LEAVES = ("lane_change", "cut_out", "leave_road")
+"""What somebody does who is out of its lane then."""
+
+
 def leaves_lane(spec: ObjectSpec | EgoSpec | None) -> bool:
     """Whether somebody clears its lane for who is behind it: ego where it gives way."""
-    if spec is None or isinstance(spec, EgoSpec) and spec.reaction != "yield":
+    if spec is None or isinstance(spec, EgoSpec) and spec.reaction not in ("yield", "none"):
         return False
-    out = next((i for i, p in enumerate(spec.phases) if p.action in ("cut_out", "lane_change", "leave_road")), None)
+    out = next((i for i, p in enumerate(spec.phases) if p.action in LEAVES), None)
     if out is None or spec.phases[out].action == "leave_road" and not pulls_over(spec, out):
         return False
     trigger = spec.phases[out].trigger
-    return trigger is None or trigger.kind not in ("passed", "contact")
+    if trigger is not None and trigger.kind == "passed":  # once it has passed another, not that it is passed
+        return trigger.subject in (None, "ego") and isinstance(spec, EgoSpec)
+    return trigger is None or trigger.kind != "contact"
+
+
+def lane_is_cleared(phase: Phase, other: ObjectSpec | EgoSpec | None) -> bool:
+    """Whether whom one overtakes leaves its lane to let it by, or has left it by what the overtaking waits for."""
+    t = phase.trigger
+    left = t is not None and t.kind == "action" and t.action in LEAVES and (t.of or "ego") == (phase.target or "ego")
+    return left or leaves_lane(other)
+
+
+def leaves_behind(spec: ObjectSpec | EgoSpec) -> bool:
+    """Whether one drives behind another until that does something, and then gets past it or out of its lane."""
+    first = spec.phases[0] if spec.phases else None
+    if not isinstance(spec, ObjectSpec) or first is None or first.trigger is None or first.trigger.kind != "action":
+        return False
+    directly = spec.placement.position == "behind" and spec.placement.of == (first.trigger.of or "ego")
+    return directly and first.action in ("lane_change", "swerve", "overtake", "leave_road")
 
 
 def pulls_over(spec: ObjectSpec | EgoSpec, i: int) -> bool:

@@ -1,7 +1,7 @@
 """The traffic lights that road users come to: what ego's shows, and how that changes in the run."""
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, SettingsSpec, Trigger
+from c2s_engine.structure.specs import EgoSpec, LightChange, ObjectSpec, Phase, SettingsSpec, Trigger
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import AT_REST, RAMP, TURN, is_static, is_vehicle
@@ -38,7 +38,9 @@ def of_all(structure: Structure, plan: Plan, spec: EgoSpec) -> list[str]:
     goes_on = any(a in TURN or a in ("start", "accelerate") for a in actions[stop:])
     arguments = ["place.turn"] if plan.junction and (crossing or shown != "green" or plan.place.control) else []
     arguments += [f"'{shown}'" if arguments else f"shown='{shown}'"] if shown != "green" else []
-    if settings.light == "red" and goes_on and plan.place.control == "signal" and "run_red" not in actions:
+    on_red = plan.place.manoeuvre == "right" and (spec.reaction == "yield" or "yield" in actions)
+    waits = goes_on and not on_red and "run_red" not in actions
+    if settings.light == "red" and waits and plan.place.control == "signal":
         arguments.append("turns_green=True")
     return [f"require monitor Lights({', '.join(arguments)})"]
 
@@ -101,6 +103,7 @@ def obeyed(phases: list[Phase], settings: SettingsSpec) -> list[Phase]:
 def _changes(structure: Structure, plan: Plan, settings: SettingsSpec) -> list[str]:
     shows, lines = first(settings), []
     for i, change in enumerate(settings.light_changes):
+        change = _once_stopped(structure, change) if not i else change
         condition = watched(structure, plan, change.when, "E", "ego")
         if i and change.when.kind == "time" and change.when.value is None:  # as long after the change before it
             lines.append("    since = clock()")
@@ -114,6 +117,17 @@ def _changes(structure: Structure, plan: Plan, settings: SettingsSpec) -> list[s
             ]  # fmt: skip
         shows = change.to
     return _monitor([*lines, "    while True:", *_set(structure, shows), "        wait"])
+
+
+def _once_stopped(structure: Structure, change: LightChange) -> LightChange:
+    """A change to green at no stated moment: some seconds after ego, where it comes up to that light, has stopped."""
+    ego = structure.ego.spec
+    assert isinstance(ego, EgoSpec)
+    comes = ego.speed != 0 and any(p.action in AT_REST for p in ego.phases)
+    if change.to != "green" or change.when.kind != "time" or change.when.value is not None or not comes:
+        return change
+    stopped = Trigger(kind="action", of="ego", action="stop", delay=change.when.delay or SECONDS)
+    return change.model_copy(update={"when": stopped})
 
 
 def _set(structure: Structure, state: str) -> list[str]:

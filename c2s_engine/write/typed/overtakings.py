@@ -8,7 +8,7 @@ from c2s_engine.write.typed.ahead import LEAST
 from c2s_engine.write.typed.collisions import Step
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.evasion import goes_round
-from c2s_engine.write.typed.lanes import leaves_lane
+from c2s_engine.write.typed.lanes import lane_is_cleared
 from c2s_engine.write.typed.passing import NARROW, comes_back, faster, pull_out, sideways, to_slow
 from c2s_engine.write.typed.stations import parked_in_way
 from c2s_engine.write.typed.tables import HALF_LANE, LANE_NAME, WIDTH, is_static, is_vehicle
@@ -41,7 +41,7 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
     past = " and ".join(f"lead_on(self, {one}) > {lead}" for one in _passed_actors(c, p))
     if not (c.oncoming_both(p) or c.same_lane(p) and c.lane is not None):
         return [([c.drive()], f"until {past}")]
-    if not c.oncoming_both(p) and leaves_lane(c.party(p.target)):  # it clears the way
+    if not c.oncoming_both(p) and lane_is_cleared(p, c.party(p.target)):
         away = scope.number(round(HALF_LANE + WIDTH[c.party(p.target).type] / 2, 1))  # type: ignore[union-attr]
         gone = f"until {LANE_NAME[c.lane or 0]}.centerline.distanceTo({c.actor.ref(p.target)}.position) > {away}"
         behind = c.drive(f"lambda: pace(self, {nearest(c, p)}, {c.actor.speed}, {HEADWAY})", 4)
@@ -79,7 +79,7 @@ def _kept_aside(c: Course, p: Phase) -> float:
 
 def pulls_out(c: Course, p: Phase) -> str:
     """The condition under which it is time to pull out behind whom it overtakes; "": that one clears the lane."""
-    if leaves_lane(c.party(p.target)):
+    if lane_is_cleared(p, c.party(p.target)):
         return ""
     closing = max(_top(c, p) - c.target_speed(p), faster(c.other(p.target)))
     if _waits(c, p):
@@ -127,7 +127,7 @@ def nearest(c: Course, p: Phase) -> str:
             break
         cid = spec.placement.of
         seen.add(cid)
-    return c.actor.ref(cid)
+    return members(c.actor.structure, cid)[-1] if cid and c.oncoming_both(p) else c.actor.ref(cid)
 
 
 def _by_offset(c: Course, p: Phase) -> bool:

@@ -7,7 +7,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import component_of
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
-from c2s_engine.write.typed.lanes import lane_offset, leaves_lane
+from c2s_engine.write.typed.lanes import lane_is_cleared, lane_offset
 from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, WIDTH, is_static, is_vehicle
 from c2s_engine.write.typed.usual import UNDISTURBED, speed_of
 
@@ -135,7 +135,7 @@ def overtakings(structure: Structure, place: PlaceSpec) -> Iterator[Overtaking]:
         other = structure.ego.spec if whom == "ego" else objects.get(whom)
         if whom == component.id or not isinstance(other, EgoSpec | ObjectSpec) or not is_vehicle(other.type):
             continue
-        if isinstance(other, ObjectSpec) and (is_static(other) or leaves_lane(other)):
+        if isinstance(other, ObjectSpec) and (is_static(other) or lane_is_cleared(phase, other)):
             continue
         rows = _row(component.id, objects), _row(whom, objects)
         if rows[0] != rows[1] and not all(isinstance(row, int) for row in rows):
@@ -245,7 +245,7 @@ def _phases(structure: Structure, place: PlaceSpec) -> Structure:
                 continue
             if phase.action == "overtake" and own == 0 == _lane_of(phase.target, objects):
                 whom = structure.ego.spec if phase.target in (None, "ego") else objects.get(phase.target)
-                phases.append(phase if leaves_lane(whom) else _sided(phase, place))  # type: ignore[arg-type]
+                phases.append(phase if lane_is_cleared(phase, whom) else _sided(phase, place))  # type: ignore[arg-type]
             elif not (phases and own == _lane_of(phases[-1].target, objects) and _comes_back(phases[-1], phase)):
                 phases.append(phase)
         if tuple(phases) != spec.phases:

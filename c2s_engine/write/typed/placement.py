@@ -127,7 +127,8 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
         specifiers += ("with regionContainedIn everywhere",)
     way = f"way({lane}, place.turn)" if plan.junction and k == 0 and not turn_given(spec) else f"way({lane})"
     if turn_given(spec):
-        way = f"way({lane}, {turn_of(spec.phases)})"
+        round_it = plan.place.kind == "roundabout"
+        way = _way_over(plan, lane, turn_of(spec.phases)) if round_it else f"way({lane}, {turn_of(spec.phases)})"
     if spec.placement.facing == "against":
         specifiers += ("facing 180 deg relative to roadDirection",)
         way = f"way({lane})[::-1]"

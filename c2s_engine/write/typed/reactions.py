@@ -13,7 +13,7 @@ from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.collisions import stops_before
 from c2s_engine.write.typed.course import WHERE_IT_IS, Actor
 from c2s_engine.write.typed.evasion import grip
-from c2s_engine.write.typed.lanes import leaves_lane
+from c2s_engine.write.typed.lanes import leaves_behind, leaves_lane
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import first_in_line
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, AT_REST, MOVES_OFF_ROAD, is_static, is_vehicle
@@ -43,11 +43,34 @@ HOLDS = {"bicycle": 5.0, "truck": 7.0, "bus": 7.0}
 """m/s2 at most, by what ego is: a rider goes over the bars beyond."""
 LAST_MOMENT = 0.7
 """The share of an emergency braking that it takes when that begins."""
+LAST = 6.0
+"""m/s2 that it takes by then, where S says of no such reaction."""
 STILL = 3
 """m/s at which ego still is when it reaches whom it brakes for too late."""
 
 
 def reaction(actor: Actor, statements: list[str]) -> list[str]:
+    """Ego's way with its reaction laid around it; with any, it runs into nobody whom S does not say it hits."""
+    found = _reaction(actor, statements)
+    spec = actor.spec
+    assert isinstance(spec, EgoSpec)
+    follows = spec.reaction == "follow" and spec.react_to is None  # as it drives
+    reacts = spec.reaction != "none" and not follows
+    return _guarded(actor, statements) if reacts and found == statements else found
+
+
+def _guarded(actor: Actor, statements: list[str]) -> list[str]:
+    """Ego's way with braking at the last moment for whom it neither hits nor gets past."""
+    spec, s = actor.spec, actor.structure
+    assert isinstance(spec, EgoSpec)
+    gone_round = {_about(p) or spec.react_to for p in spec.phases if p.action in (*ASIDE, "overtake", "oncoming")}
+    apart = {*gone_round, *([spec.react_to] if spec.reaction == "follow" else [])}
+    cids = [c for c in threatening(s) if c not in apart and not is_hit(spec, c) and not _stays_behind(s, c)]
+    seen = once_seen(s, [c for c in cids if c not in _strikers(s, cids)])
+    return _around(statements, seen, LAST, _brakes(seen, HARD)) if seen else statements
+
+
+def _reaction(actor: Actor, statements: list[str]) -> list[str]:
     """Ego's reaction laid around its own way: what it does when something forces it to."""
     spec = actor.spec
     assert isinstance(spec, EgoSpec)
@@ -56,7 +79,8 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     cids = [c for c in cids if spec.reaction != "yield" or c not in hit]
     if spec.reaction == "yield" and cids:  # whom it let pass may then be ahead
         passed = {p.action for p in spec.phases} & {*ASIDE, "overtake", "oncoming"}
-        still = [c for c in cids if is_static(actor.structure[c].spec)]  # type: ignore[arg-type]
+        overtaken = {p.target for p in spec.phases if p.action == "overtake"}
+        still = [c for c in cids if is_static(actor.structure[c].spec) or c in overtaken]  # type: ignore[arg-type]
         braked_for = [c for c in cids if c not in still or not passed]
         if _waits_for(spec, spec.react_to or ""):  # it stops short of their ways itself
             braked_for = [c for c in braked_for if _comes_by(actor, c) not in {*APPROACH_ANGLE} - {"circulating"}]
@@ -193,6 +217,7 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     braked = {c for p, c in own if p.speed or p.rate is None and (c not in stood or _crosses(s, str(c)))}
     slowed = {p.target for p in spec.phases if p.action == "collide" and p.speed is not None}
     by_way = {c for c in met if c in braked or c in slowed and _crosses(s, c)}  # its way says how it brakes
+    by_way |= {p.target for p in spec.phases if p.action in AT_REST and p.target is not None}
     movers = [c for c in met if c not in by_way and not (_beside(s, c) and _stands(s, c))]
     for c in movers:
         one = scope.reference(s, c)
@@ -296,6 +321,8 @@ def joins_ego(actor: Actor) -> bool:
 
 def _gets_past(actor: Actor, cid: str) -> bool:
     """Whether it means to get past what stands ahead of it."""
+    if leaves_behind(actor.spec) and actor.spec.placement.of == cid:  # type: ignore[union-attr]
+        return True
     if cid != "ego" and passed_over(actor.structure, cid, actor.cid):
         return True
     if any(p.action in ("overtake", "swerve") and (p.target or "ego") == cid for p in actor.spec.phases):
@@ -393,7 +420,8 @@ def reacting_phases(spec: EgoSpec, others: list[str], structure: Structure, plan
         spec = spec.model_copy(update={"phases": (Phase(action="yield", target=rider), *spec.phases)})
     whom, yields = spec.react_to or next(iter(others), ""), spec.reaction == "yield" and "yield" not in actions
     slows = ("brake", "stop", "wait")
-    told = any(p.abandoned or p.action in slows and _about(p) == whom for p in spec.phases)  # it says how
+    named = (whom,) if plan.junction else (whom, None)
+    told = any(p.abandoned or p.action in slows and _about(p) in named for p in spec.phases)  # it says how
     yields = yields and not told
     if yields and _behind(structure, whom) and leaves_lane(spec):
         return spec.phases  # out of the way of who comes from behind: that lets it pass

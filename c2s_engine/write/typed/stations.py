@@ -150,14 +150,8 @@ def next_to(structure: Structure, cid: str) -> float:
     """How far (m) along the road from the middle of the crosswalk the first of those stands who use it together: the
     first of S in its middle, the others by turns on either side."""
     there = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec) and uses_crosswalk(c.spec)}
-    begins = ends = 0.0
-    for k, (one, spec) in enumerate(there.items()):
-        row = (spec.count - 1) * row_step(spec)
-        at = (ends + 1 if k % 2 else begins - 1 - row) if k else -row / 2
-        if one == cid:
-            return at
-        begins, ends = min(begins, at), max(ends, at + row)
-    return 0.0
+    k = list(there).index(cid) if cid in there else 0
+    return (k + 1) // 2 * (1.0 if k % 2 else -1.0)
 
 
 def gap(spec: ObjectSpec, plan: Plan) -> float | tuple[float, float]:

@@ -1,5 +1,6 @@
 """What a phase does: statements, the last of them a `do`, and the condition that ends it ("": nothing does)."""
 
+import re
 from collections.abc import Callable
 
 from c2s_engine.structure.quantity import middle
@@ -40,6 +41,8 @@ BACKING = 4.0
 """m/s above which nobody goes on backwards as it went ahead."""
 CLOSER = 2.5
 """m by which one comes nearer to whom it follows than where it does something about that."""
+SET_OUT = 3.0
+"""m/s from which one that sets out changes lanes, where nothing says how fast it is by then."""
 FULL = 5
 """m/s2 from which braking is meant to be full."""
 
@@ -177,8 +180,9 @@ def _start(c: Course, p: Phase) -> list[Step]:
     phases = c.actor.spec.phases
     if c.actor.is_ego and p in phases and any(q.action == "yield" for q in phases[phases.index(p) + 1 :][:1]):
         return []  # it sets out up to where it lets that one pass
-    drive = c.drive(scope.number(goal) if not c.actor.value else None, 2)
-    return [([drive], ending(p, f"until self.speed > {scope.number(goal - 0.5)}"))]
+    drive, then = c.drive(scope.number(goal) if not c.actor.value else None, 2), _then(c, p)
+    moves = SET_OUT if then is not None and then.action in lateral.LATERAL else goal - 0.5
+    return [([drive], ending(p, f"until self.speed > {scope.number(min(goal - 0.5, moves))}"))]
 
 
 def _follow(c: Course, p: Phase) -> list[Step]:
@@ -256,7 +260,7 @@ def _cut_in(c: Course, p: Phase) -> list[Step]:
     to = c.target_lane(p) or 0
     if p.abandoned:
         return _back_again(c, p, 1 if to > (c.lane if c.lane is not None else -1) else -1)
-    c.lane = to
+    c.lane, c.aside = to, ""
     shift = lateral.said(p)
     drive = c.drive(c.set(c.wanted(p, _moving(c))), shift=shift)
     over = HITS_SOON if hit_next(c, p) else _until_over(p)
@@ -293,7 +297,8 @@ def _sideways(c: Course, p: Phase, metres: float, shift: float, seconds: float |
     if p.lateral_speed is not None:
         shift = lateral.shift_of(p)
         seconds = seconds and max(seconds, round(lateral.sideways(abs(metres), shift) + 0.5, 1))
-    out = c.drive(c.set(c.wanted(p, c.value)), offset=scope.number(side * abs(metres)), shift=shift)
+    from_there = float(c.aside) if re.fullmatch(r"-?[\d.]+", c.aside) else 0.0
+    out = c.drive(c.set(c.wanted(p, c.value)), offset=scope.number(from_there + side * abs(metres)), shift=shift)
     if hit := hit_next(c, p):
         return [([out], ending(p, f"until touch(self, {c.actor.ref(hit.target)})"))]
     if seconds is None:

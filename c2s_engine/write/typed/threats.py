@@ -214,7 +214,7 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
     if action in ("start", "enter_road", "cross_road", "move_along"):
         return f"{other}.speed > 0.5"
     if action == "reverse":
-        return f"backs({other}, {'self' if cid != 'ego' else 'ego'})"
+        return f"backs({other}, ego)"
     if action in ("turn_left", "turn_right", "go_straight", "run_red", "run_stop"):
         return f"{other}._intersection is not None"
     if action in (*lateral.LATERAL, "swerve", "drift", "oncoming", "lose_control"):

@@ -15,6 +15,7 @@ from c2s_engine.write.typed.ahead import (
     TIGHT,
     begins,
     clear_ahead,
+    comes_first,
     gone_round,
     joined,
     let_by,
@@ -49,7 +50,7 @@ PLAIN = {*CALM, *LATERAL, "brake", "stop", "swerve", "drift", "reverse", "lose_c
 def solved(structure: Structure) -> Structure:
     """S with the speeds, gaps and starts that are open and follow from those that are said; raises ResolveError where
     they do not go together."""
-    structure = joined(gone_round(let_by(level_then(clear_ahead(_at_pace(structure))))))
+    structure = joined(gone_round(comes_first(let_by(level_then(clear_ahead(_at_pace(structure)))))))
     for cid in ("E", *(c.id for c in structure.objects)):
         for i, phase in enumerate(phases_of(structure, cid)):
             if any(p.action not in CALM for p in phases_of(structure, cid)[:i]):
@@ -83,7 +84,9 @@ def _at_pace(structure: Structure) -> Structure:
             continue
         if spec.placement.position == "oncoming_lane" and getattr(by, "pace", None) is not None:
             continue  # a word says how one drives, not how all do
-        if spec.placement.position == "ahead" and spec.type not in LIGHT and {p.action for p in spec.phases} <= CALM:
+        followed = any(p.action == "follow" and p.target == component.id for p in ego.phases)
+        calm = {p.action for p in spec.phases} <= CALM and not followed
+        if spec.placement.position == "ahead" and spec.type not in LIGHT and calm:
             continue  # caught up with
         structure = structure.with_spec(component.id, speed=_pace(spec, middle(speed)))
     return structure

@@ -67,7 +67,7 @@ def stated(course: Course, phase: Phase) -> str:
         t = t.model_copy(update={"value": round(middle(metres or 0.0) + BEFORE_IT, 1)})
     if t.kind == "time" and t.delay is not None:
         t = t.model_copy(update={"value": (value or 0) + middle(t.delay)})
-    if course.actor.is_ego and phase.action in SLOWS and t.action == "stop" and t.of and _drives_ahead(course, t.of):
+    if course.actor.is_ego and phase.action in SLOWS and t.action == "stop" and t.of and drives_ahead(course, t.of):
         t = t.model_copy(update={"action": "brake"})  # who drives behind slows as it does, not once it stands
     condition = watched(course.actor.structure, course.actor.plan, t, course.actor.cid)
     if t.kind == "light" and phase.action == "stop" and (lane := course.actor.to_junction):  # if it still can
@@ -78,7 +78,7 @@ def stated(course: Course, phase: Phase) -> str:
 SLOWS = ("brake", "stop")
 
 
-def _drives_ahead(course: Course, cid: str) -> bool:
+def drives_ahead(course: Course, cid: str) -> bool:
     """Whether another vehicle drives ahead in ego's lane, on its own or once it has come into it."""
     spec = course.other(cid)
     if spec is None or is_static(spec) or not is_vehicle(spec.type) or spec.placement.of != "ego":
@@ -116,7 +116,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return _undisturbed(a)
     if phase.action == "swerve" and (seconds := last_moment(course, phase)[1]):
         return f"until ttc(self, {a.ref(phase.target)}) < {scope.number(seconds)}"
-    if a.is_ego and phase.action in FORCED and not _stood(a, phase) and _confronted(course, phase):
+    forced = a.is_ego and phase.action in FORCED and not (_stood(a, phase) or _answered(a, phase))
+    if forced and _confronted(course, phase):
         cid = phase.target or getattr(a.spec, "react_to", None) or standing(a.structure, a.plan.lane_of)
         if beside_way(a.structure, cid):
             return f"until ttc(self, {a.ref(cid)}) < {scope.number(EVADED_AT if first else EVADED_AT / 2)}"
@@ -151,7 +152,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
             if calm and (follows or course.value < course.target_speed(phase) + NO_FASTER):
                 return f"for {FOLLOWS} seconds" if follows else _undisturbed(a)
             return pulls_out(course, phase)
-        return _before(course, phase.target)
+        return "" if _stood(a, phase) else _before(course, phase.target)
     stands = standing(a.structure, a.plan.lane_of) if a.is_ego and phase.action == "oncoming" else None
     if stands:
         return _before(course, stands)
@@ -164,7 +165,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return "until need(self, ego) > 1" + (" or off_lane(ego)" if as_fast else "")
     if phase.action == "yield" and first and in_next_lane(course, phase):
         return _undisturbed(a)
-    if phase.action == "start" and first and not a.is_ego and a.lane is not None and a.value <= 0:  # it stands
+    if phase.action == "start" and first and a.lane is not None and a.value <= 0:  # it stands
         return _undisturbed(a)
     if not first or phase.action not in DELAYED or a.value <= 0 or hit_beside(course, phase):
         return ""
@@ -180,10 +181,18 @@ def _undisturbed(actor: Actor) -> str:
 
 
 def _stood(actor: Actor, phase: Phase) -> bool:
-    """Whether it changes lanes from where it came to a stand: nothing forces it any more."""
+    """Whether it gets past another from where it came to a stand: nothing forces it any more."""
     phases = actor.spec.phases
     before = phases[: phases.index(phase)] if phase in phases else ()
-    return phase.action in ("lane_change", "swerve") and any(p.action in ("stop", "wait") for p in before)
+    stands = ("stop", "wait", "yield") if phase.action == "overtake" else ("stop", "wait")
+    return phase.action in ("lane_change", "swerve", "overtake") and any(p.action in stands for p in before)
+
+
+def _answered(actor: Actor, phase: Phase) -> bool:
+    """Whether an earlier phase has left the lane for the same one: what comes then waits for it no more."""
+    phases, cause = actor.spec.phases, getattr(actor.spec, "react_to", None)
+    before = phases[: phases.index(phase)] if phase in phases else ()
+    return any(p.action in ASIDE and (p.target or cause) == (phase.target or cause) for p in before)
 
 
 def _before(course: Course, cid: str | None) -> str:

@@ -1,5 +1,7 @@
 """What is usual where the specs leave it open: how fast somebody starts, how far off, by which manoeuvre."""
 
+from itertools import takewhile
+
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
 from c2s_engine.structure.vocabulary import WITH_SIREN
@@ -228,15 +230,20 @@ def crosses_there(o: ObjectSpec) -> bool:
     return crosses and placement.position in ("roadside", "sidewalk") and not own and not triggered
 
 
-RIDES = {"move_along", "keep_lane", "go_straight", "overtake", "follow", "accelerate", "brake", "stop", "wait", "start"}
+RIDES = {"move_along", "keep_lane", "go_straight", "overtake", "follow", "accelerate", "brake", "stop", "wait", "start",
+         "swerve"}  # fmt: skip
 """What riders do who go along the road beside its lanes, and over a junction."""
 
 
 def rides_beside(o: ObjectSpec) -> bool:
-    """Whether a rider goes along the road on the right of its lanes: on a cycle lane or the shoulder."""
-    rider = o.type in ("bicycle", "motorcycle") and o.placement.facing in (None, "along")
+    """Whether a vehicle first goes along the road on the right of its lanes: on a cycle lane or the shoulder."""
+    drives = is_vehicle(o.type) and o.placement.facing in (None, "along") and not is_static(o)
     beside = o.placement.position in ("roadside", "sidewalk") and o.placement.side != "left"
-    return rider and beside and not is_static(o) and {p.action for p in o.phases} <= RIDES
+    actions = [p.action for p in o.phases]
+    first = list(takewhile(lambda action: action in RIDES, actions))
+    rides = o.type in ("bicycle", "motorcycle")
+    passes = bool(o.speed and first) and first[0] != "start"
+    return drives and beside and (first == actions if rides else passes)
 
 
 def walks_first(o: ObjectSpec) -> bool:

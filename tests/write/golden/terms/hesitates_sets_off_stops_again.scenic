@@ -15,6 +15,7 @@ EGO_SPEED = 0  # m/s
 
 behavior EgoBehavior():
     line = way(place.lane)
+    do Drive(line, EGO_SPEED) for 3 seconds
     do Drive(line, 3, rate=2) until self.speed > 2.5
     do Drive(line, 0, rate=3.5) until self.speed < 0.2
     do Drive(line, 0, rate=3.5) for 1 seconds

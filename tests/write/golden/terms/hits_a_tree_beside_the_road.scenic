@@ -16,7 +16,7 @@ EGO_SPEED = 14  # m/s
 behavior EgoBehavior():
     line = way(place.lane)
     take SetSpeedAction(EGO_SPEED)
-    do Drive(line, EGO_SPEED) until (distance from self to actor1) < 15 + 1.5 * self.speed
+    do Drive(line, EGO_SPEED) until (distance from self to actor1) < leaves_for(self, line, actor1)
     do Ram(actor1, EGO_SPEED) until touch(self, actor1)
     do Drive(line, EGO_SPEED) until touch(self, actor1)
     do Drive(line, 0, rate=6)

@@ -17,7 +17,7 @@ EGO_SPEED = 6  # m/s
 behavior EgoBehavior():
     line = way(place.lane)
     take SetSpeedAction(EGO_SPEED)
-    do Drive(line, EGO_SPEED, rate=2.4) until (distance from self to door) < 15 + 1.5 * self.speed
+    do Drive(line, EGO_SPEED, rate=2.4) until (distance from self to door) < leaves_for(self, line, door)
     do Ram(door, EGO_SPEED)
 
 ego = new Bicycle at place.lane.centerline.pointAlongBy(EGO_AT),

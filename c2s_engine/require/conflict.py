@@ -143,7 +143,8 @@ def _gone_through_with(phase: Phase) -> Phase:
 def required(scene: Scene) -> Iterator[Requirement]:
     if not scene.recognised(EGO):
         return
-    reacts = scene.ego.reaction != "none" or any(answers(p, scene.structure) for p in scene.ego.phases)
+    said = scene.ego.reaction != "none" and scene.stated("E", "reaction")
+    reacts = said or any(answers(p, scene.structure) for p in scene.ego.phases)
     struck = {frozenset(pair) for pair in struck_pairs(scene)}
     for actor in _threats(scene, reacts):
         if frozenset((actor, EGO)) in struck or not scene.recognised(actor) or _turns_off(scene, actor):
@@ -197,7 +198,8 @@ def _threats(scene: Scene, reacts: bool) -> list[str]:
         if any(p.abandoned for p in doings[:1]):  # it stays beside the road
             return []
         elsewhere = bool(doings) and all(p.target not in (None, EGO) for p in doings)  # what it does is about others
-        return [named] if spec is not None and not followed and not elsewhere else []
+        stays = _landmark(scene.structure, named)  # ego stops by it
+        return [named] if spec is not None and not (followed or elsewhere or stays) else []
     before_ego = [a for a in scene.objects if crossed_vehicle(scene.structure, a) == EGO]
     found = [a for a in before_ego if _threatens(scene.objects[a])]
     turns = TURNS if scene.ego.hard else ()  # whoever gives way brakes gently
@@ -227,6 +229,7 @@ def _actors_named(phase: Phase) -> tuple[str | None, ...]:
 def _threatens(spec: ObjectSpec) -> bool:
     actions = [p.action for p in spec.phases if p.action in THREATS and not p.abandoned]
     ahead = spec.placement.position in ("ahead", "partly_in_lane", "intersection_exit") and spec.placement.of == EGO
+    ahead = ahead and not (spec.placement.position == "intersection_exit" and spec.placement.side)  # at the kerb
     aimed = any(p.target in (None, EGO) for p in spec.phases if p.action in THREATS)
     return bool(aimed and any(a not in AHEAD_ONLY for a in actions)) or (bool(actions) and ahead)
 
@@ -239,7 +242,10 @@ def _onset_of(scene: Scene, actor: str) -> str:
     turns = next((p.action for p in spec.phases if p.action in TURNS), "")
     if turns and spec.placement.position not in APPROACHES:  # from beside ego, having slowed for it
         return turns
-    return next((p.action for p in spec.phases if p.action in THREATS and p.action != "stationary"), "")
+    threat = next((i for i, p in enumerate(spec.phases) if p.action in THREATS and p.action != "stationary"), None)
+    if threat is not None and turns in [p.action for p in spec.phases[:threat]]:
+        return turns
+    return spec.phases[threat].action if threat is not None else ""
 
 
 def threatens(requirement: Requirement, evidence: Evidence) -> Result:

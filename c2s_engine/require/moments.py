@@ -100,7 +100,7 @@ def beside(motion: Motion) -> np.ndarray:
 def onset(motion: Motion, action: str, time: float) -> float:
     """When what is seen of an action at a time began, s."""
     at = motion.at(time)
-    if action in (*SIDEWAYS, "overtake"):  # who overtakes begins as it pulls out
+    if action in (*SIDEWAYS, "overtake", "oncoming"):  # who overtakes begins as it pulls out
         first = motion.at(time - LONGEST)
         moved = np.abs(beside(motion)[first : at + 1] - beside(motion)[first])
         if not (moved > BEGUN).any():

@@ -299,7 +299,8 @@ def awaited(requirement: Requirement, evidence: Evidence) -> Result:
         if motion is not None and time is not None and action in moments.SETS_OUT:  # it can be seen from then on
             evidence.times[key] = moments.onset(motion, action, time)
     first = evidence.times.get(str(v["first"]))
-    if cause is not None and first is not None and str(v["its"]) in (*moments.SIDEWAYS, "u_turn"):  # seen as it begins
+    begins = (*moments.SIDEWAYS, "oncoming", "u_turn")
+    if cause is not None and first is not None and str(v["its"]) in begins:  # seen as it begins
         evidence, times = copy(evidence), evidence.times
         evidence.times = {**times, str(v["first"]): moments.onset(cause, str(v["its"]), first)}
     result = in_order(requirement, evidence)

@@ -24,6 +24,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
             continue
         name, actions = scene.named(actor), {p.action for p in spec.phases}
         on_red = actor == EGO and "turn_right" in actions and actions & {"stop", "yield"}  # which is allowed
+        on_red = on_red or any(_runs_red(scene, p.target) for p in spec.phases if p.action == "follow")
         if "run_red" not in actions and not on_red:
             yield scene.make("rules", "unseen", actor, "obeys_light", f"{name} does not enter on red.", event="run_red")
         if "run_stop" not in actions:
@@ -44,6 +45,12 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if not actions & set(STANDS) and spec.speed != 0 and not reacting:
             yield scene.make("rules", "stands_for", actor, "stands_for", f"{name} does not stop in a lane without a "
                              "reason.")  # fmt: skip
+
+
+def _runs_red(scene: Scene, actor: str | None) -> bool:
+    """Whether S lets somebody pass a red light."""
+    spec = scene.actors.get(actor or "")
+    return spec is not None and any(p.action == "run_red" for p in spec.phases)
 
 
 def unseen(requirement: Requirement, evidence: Evidence) -> Result:

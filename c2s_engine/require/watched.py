@@ -9,7 +9,7 @@ from c2s_engine.require import crossing, moments
 from c2s_engine.require.evidence import STANDING, Evidence, Motion
 from c2s_engine.require.geometry import box_distance, lead
 from c2s_engine.require.results import between, decided, scored, unknown
-from c2s_engine.require.scene import Scene, bounds
+from c2s_engine.require.scene import TURNS, Scene, bounds
 from c2s_engine.structure.facts import EGO, component_of
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.requirements import Requirement, Result
@@ -206,6 +206,8 @@ def begins_when(requirement: Requirement, evidence: Evidence) -> Result:
         begun = min(max(begun, due), seen)
     if v["place"] == "in_intersection" and v["action"] in STANDS and _inside(motion, seen):
         begun = due  # wherever it is in there that it comes to stand
+    if v["action"] in TURNS and begun > due and motion.speed[motion.at(due) : motion.at(begun)].min() > STANDING:
+        begun = due  # it turns as it comes there
     return _follows(requirement, begun, due, said, f"{begun:.1f} s, condition true at {since:.1f} s")
 
 

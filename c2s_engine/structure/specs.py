@@ -73,7 +73,7 @@ class Phase(Spec):
     )
     clearance: Metres | None = Field(
         None,
-        description="room to `target`, m: stop as it stands before it; swerve, keep_lane at the least as it goes by; "
+        description="room to `target`, m: stop as it stands before it; swerve, overtake, keep_lane at least, going by; "
         "cross_road abandoned: to the road's edge",
     )
     trigger: Trigger | None = None

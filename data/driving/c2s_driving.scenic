@@ -869,6 +869,8 @@ def draw_away(car, others):
     """Whether others drive on ahead of the car, faster than it."""
     return bool(others) and all(other.velocity.rotatedBy(-car.heading).y > max(car.speed, 3) + 1 for other in others)
 
+SPARE = 0.6  # s by which one that crosses has to be gone, or not yet there
+
 def need(car, other):
     """The deceleration (m/s2) that keeps `car` from reaching `other`, if both go on as they do (one close ahead that slows
     down, to a stand), and at least as much as that one slows down with; 0: no conflict, or one that crosses can still
@@ -885,6 +887,7 @@ def need(car, other):
     closing = car.speed - motion.y
     room = 0.4 if other.speed < 0.3 and getattr(other, 'isVehicle', False) else 0.8  # m, at least
     room = 0.25 if in_lane else room
+    room += SPARE * abs(motion.x) * across  # one that crosses may come a little sooner or later
     reach = (car.width + other.length * across + other.width * (1 - across)) / 2 + room
     if place.y <= 0 or across > 0.5 and getattr(other, 'isVehicle', False) and could_stop(other):
         return 0

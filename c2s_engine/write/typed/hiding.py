@@ -67,6 +67,8 @@ def hidden(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot
         sideways = scope.number(deep if left == front else -deep)
         where = f"at {hider} offset by {sideways} @ {'' if front else '-'}({beyond})"
     angle = "-90 deg" if left == front else "90 deg"
+    if spec.phases and spec.phases[0].action == "move_along":  # as the road goes
+        angle = "180 deg" if front == (spec.placement.facing == "against") else "0 deg"
     specifiers = (where, f"facing {angle} relative to {hider}", "with regionContainedIn everywhere")
     return Spot((), specifiers, "straight_on(self)", off_road=True)
 

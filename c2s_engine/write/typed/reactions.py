@@ -65,6 +65,7 @@ def _guarded(actor: Actor, statements: list[str]) -> list[str]:
     assert isinstance(spec, EgoSpec)
     gone_round = {_about(p) or spec.react_to for p in spec.phases if p.action in (*ASIDE, "overtake", "oncoming")}
     apart = {*gone_round, *([spec.react_to] if spec.reaction == "follow" else [])}
+    apart |= {p.target for p in spec.phases if p.clearance is not None and p.trigger is None}  # with room of its own
     cids = [c for c in threatening(s) if c not in apart and not is_hit(spec, c) and not _stays_behind(s, c)]
     seen = once_seen(s, [c for c in cids if c not in _strikers(s, cids)])
     return _around(statements, seen, LAST, _brakes(seen, HARD)) if seen else statements

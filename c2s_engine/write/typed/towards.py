@@ -177,6 +177,7 @@ def _until_forced(c: Course, p: Phase, other: str) -> list[Step]:
         pace = f"lambda: max({scope.number(0.7 * a.value)}, pace(self, {other}, {scope.number(0.9 * a.value)}, 0.5))"
     else:
         near = f"{other}.speed > 0.5 and (distance from self to {other}) < 5 + 5 * self.speed"
+        near = f"off_lane({other})" if c.target_lane(p) in (1, -1) and spec.placement.along == "ahead" else near
         pace = scope.number(0.5 * a.value)
     return [([c.drive()], f"until {near}"), ([c.drive(pace, 2.5)], f"until {other}._lane is self._lane")]
 

@@ -35,6 +35,8 @@ CAN_STOP = 10
 """Twice the m/s2 at which one stops for a light that changes."""
 BEFORE_IT = 2.0
 """m before a crosswalk by which one has slowed down for it."""
+NEAR_BY = 8.0
+"""m before one beside its way by which ego has slowed down for it."""
 TO_END = 6.0
 """m before the end of an acceleration lane at which the middle of one is who stops there."""
 FORCED = {"brake", "stop", *ASIDE}
@@ -133,6 +135,10 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         also = f" or near(self, {a.ref(cid)})" if met else ""
         if phase.action == "stop" and is_stopped(a.spec) and not on_foot(a.structure) and a.value > 0:
             also += " or self.speed < 0.5"  # it was forced to
+        elif phase.action in SLOWS and cid and _beside(course, cid):
+            goal = course.wanted(phase, course.value / 2) if phase.action == "brake" else 0.0
+            rest = max(course.value**2 - goal**2, 0.0) / (2 * (middle(phase.rate) if phase.rate else 3.0))
+            also += f" or (distance from self to {a.ref(cid)}) < {scope.number(round(rest + NEAR_BY, 1))}"
         return f"until {need} > {limit}{also}"
     if a.is_ego and phase.action == "stop" and (cid := _stopped_for(course, phase)):
         return f"until (distance from self to {a.ref(cid)}) < 14 + self.speed ** 2 / 6"
@@ -193,6 +199,13 @@ def _answered(actor: Actor, phase: Phase) -> bool:
     phases, cause = actor.spec.phases, getattr(actor.spec, "react_to", None)
     before = phases[: phases.index(phase)] if phase in phases else ()
     return any(p.action in ASIDE and (p.target or cause) == (phase.target or cause) for p in before)
+
+
+def _beside(course: Course, cid: str) -> bool:
+    """Whether one is, and stays, beside ego's way: nothing but being near it forces ego to slow down for it."""
+    spec = course.other(cid)
+    beside = spec is not None and spec.placement.position in {*MOVES_OFF_ROAD, "intersection_exit"}
+    return beside and {p.action for p in spec.phases} <= STAYS  # type: ignore[union-attr]
 
 
 def _before(course: Course, cid: str | None) -> str:

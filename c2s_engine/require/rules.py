@@ -23,7 +23,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if spec.type not in VEHICLES or not scene.recognised(actor):
             continue
         name, actions = scene.named(actor), {p.action for p in spec.phases}
-        on_red = actor == EGO and "turn_right" in actions and actions & {"stop", "yield"}  # which is allowed
+        on_red = actor == EGO and "turn_right" in actions and bool(actions & {"stop", "yield"})  # which is allowed
         on_red = on_red or any(_runs_red(scene, p.target) for p in spec.phases if p.action == "follow")
         if "run_red" not in actions and not on_red:
             yield scene.make("rules", "unseen", actor, "obeys_light", f"{name} does not enter on red.", event="run_red")

@@ -16,7 +16,7 @@ from c2s_engine.interpret.embedded import InterpretError, understood
 from c2s_engine.interpret.learned import Answer, ReaderError, asked, installed, learned, loaded, reading
 from c2s_engine.interpret.learned.decoder import base
 from c2s_engine.interpret.learned.notation import left_out, parse, short, with_left_out
-from c2s_engine.interpret.learned.quantities import si
+from c2s_engine.interpret.learned.quantities import in_seconds, si
 from c2s_engine.interpret.learned.reader import CHECK, NAMED, NOT_USED, PASSED_OVER, structure_of
 from c2s_engine.structure.account import account
 from c2s_engine.structure.progress import Finished
@@ -38,6 +38,21 @@ CASES = yaml.safe_load((Path(__file__).parent / "answers.yaml").read_text(encodi
 ])  # fmt: skip
 def test_quantities(said, value):
     assert si(said) == value
+
+
+@pytest.mark.parametrize(("text", "gap"), [
+    ("Ego follows at 72 km/h with a headway of 1.5 s.", "1.5s"), ("A 1.5-second gap at 72 km/h.", "1.5s"),
+    ("1.5 s later it stops 1.5 m short.", "1.5m"), ("It follows 1.5 metres behind.", "1.5m"), ("It is near.", "1.5m"),
+])  # fmt: skip
+def test_a_room_has_the_unit_that_its_number_has_in_the_text(text, gap):
+    data = in_seconds({"O1": {"placement": {"gap": "1.5m"}, "phases": [{"clearance": "4m"}]}}, text)
+    assert data == {"O1": {"placement": {"gap": gap}, "phases": [{"clearance": "4m"}]}}
+
+
+def test_a_headway_that_was_read_as_metres_is_a_headway():
+    text = "The test vehicle follows a car at 72 km/h with a headway of 1.5 s."
+    found = reading("R: road\nE: car speed=72km/h ; follow target=O1\nO1: car at=ahead gap=1.5m", understood(text))
+    assert found is not None and found["O1"].spec.placement.gap == 30.0
 
 
 def test_the_notation_is_read_as_it_is_written():

@@ -11,7 +11,7 @@ from c2s_engine.structure.facts import component_of
 from c2s_engine.write.typed import ResolveError
 from c2s_engine.write.typed.usual_values import usual_values
 
-TIMES = (1.5, 0.7, 2.5, 0.4, 4.0, 9.0)
+TIMES = (1.5, 0.7, 0.55, 2.5, 0.4, 4.0, 9.0)
 """Of a number's value, what is tried for it."""
 MOST = 8
 """Runs for which the search goes on from the best of them."""

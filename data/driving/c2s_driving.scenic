@@ -887,7 +887,8 @@ def need(car, other):
     closing = car.speed - motion.y
     room = 0.4 if other.speed < 0.3 and getattr(other, 'isVehicle', False) else 0.8  # m, at least
     room = 0.25 if in_lane else room
-    room += SPARE * abs(motion.x) * across  # one that crosses may come a little sooner or later
+    if getattr(other, 'isVehicle', False):
+        room += SPARE * abs(motion.x) * across  # one that crosses may come a little sooner or later
     reach = (car.width + other.length * across + other.width * (1 - across)) / 2 + room
     if place.y <= 0 or across > 0.5 and getattr(other, 'isVehicle', False) and could_stop(other):
         return 0

@@ -143,8 +143,9 @@ def _gone_through_with(phase: Phase) -> Phase:
 def required(scene: Scene) -> Iterator[Requirement]:
     if not scene.recognised(EGO):
         return
-    said = scene.ego.reaction != "none" and scene.stated("E", "reaction")
-    reacts = said or any(answers(p, scene.structure) for p in scene.ego.phases)
+    answering = any(answers(p, scene.structure) for p in scene.ego.phases)
+    reacts = scene.ego.reaction != "none" or answering
+    asked_for = answering or scene.stated("E", "reaction")  # not one that is assumed
     struck = {frozenset(pair) for pair in struck_pairs(scene)}
     for actor in _threats(scene, reacts):
         if frozenset((actor, EGO)) in struck or not scene.recognised(actor) or _turns_off(scene, actor):
@@ -153,7 +154,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
         text = f"{name} is a threat to ego: " + ("without a reaction of ego, they" if reacts else "they") + \
             " would collide or come very near."  # fmt: skip
         yield scene.make("conflict", "threatens", actor, "threat", text, other=EGO, reaction=reacts)
-        if reacts and scene.ego.reaction != "follow":
+        if reacts and asked_for and scene.ego.reaction != "follow":
             others = tuple(a for a in scene.objects if a != actor)
             beside: dict[str, Value] = {"others": others} if others else {}
             beside |= _cue(scene, actor)

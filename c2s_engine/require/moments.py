@@ -255,9 +255,9 @@ def delayed(requirement: Requirement, evidence: Evidence) -> Result:
     cause, first = evidence.motion(requirement.other or EGO), evidence.times.get(str(v["after"]))
     if motion is None or time is None or v["after"] and (first is None or cause is None):
         return unknown(requirement, said, "not judged: one of the two events did not occur")
-    its = str(v["its"])
-    since = (first or 0.0) if its == "stop" else 0.0  # it counts from when that one stands
-    since = onset(cause, its, first) if cause is not None and first is not None and its != "stop" else since
+    since = first or 0.0
+    if cause is not None and first is not None and v["its"] != "stop":  # else it counts from when that one stands
+        since = onset(cause, str(v["its"]), first)
     seen = onset(motion, str(v["action"]), time) - since
     room = bounds()["order"]["delay"]["value"] + 0.2 * span(requirement)[1]
     return between(requirement, seen, room, said, f"{seen:.1f} s", time)

@@ -197,9 +197,10 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
         if action in AT_JUNCTION and not times:
             times = _cut_short(motion, action, halts="halts" in requirement.values)
         if action == "overtake" and not times:
-            times = moments.got_past(motion, evidence.motion(requirement.other or EGO))
-            hit = evidence.contacts(requirement.actor, requirement.other or EGO)
-            times = times or [moments.onset(motion, action, c.time) for c in hit[:1]]  # it began to
+            whom = requirement.other or EGO
+            hits = (c.time for c in evidence.contacts(requirement.actor, whom))
+            begun = [t for hit in hits if (t := moments.onset(motion, action, hit)) < hit]
+            times = moments.got_past(motion, evidence.motion(whom)) or begun
         if action == "yield" and not times:
             times = moments.let_go_first(motion, evidence.motion(requirement.other or EGO))
         if action == "keep_lane" and earliest and not times:
@@ -225,12 +226,10 @@ def _cut_short(motion: Motion, action: str, halts: bool) -> list[float]:
     """When it came into the junction in which a contact ended its way, or, where S says that it `halts`, its coming to
     a stand, if it was going that way by then."""
     inside = [s for s in motion.course.stays if s.kind == "junction"]
+    if motion.contact is not None and action in ("turn_left", "turn_right"):  # or as it begins to turn
+        inside = inside or list(motion.course.stays[-1:])
     ended = motion.contact is not None or halts and motion.speed[-1] < STANDING
-    if not ended or action in ("run_red", "run_stop"):
-        return []
-    if not inside and motion.contact is not None and action in ("turn_left", "turn_right"):  # as it begins to turn
-        inside = list(motion.course.stays[-1:])
-    if not inside:
+    if not ended or not inside or action in ("run_red", "run_stop"):
         return []
     turned = float(motion.heading[-1] - motion.heading[motion.at(inside[-1].time)])
     begun = bounds()["phase"]["turn_begun"]["value"]

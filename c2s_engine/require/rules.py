@@ -23,9 +23,7 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if spec.type not in VEHICLES or not scene.recognised(actor):
             continue
         name, actions = scene.named(actor), {p.action for p in spec.phases}
-        on_red = actor == EGO and "turn_right" in actions and bool(actions & {"stop", "yield"})  # which is allowed
-        on_red = on_red or any(_runs_red(scene, p.target) for p in spec.phases if p.action == "follow")
-        if "run_red" not in actions and not on_red:
+        if not _may_pass_red(scene, actor):
             yield scene.make("rules", "unseen", actor, "obeys_light", f"{name} does not enter on red.", event="run_red")
         if "run_stop" not in actions:
             yield scene.make(
@@ -47,10 +45,14 @@ def required(scene: Scene) -> Iterator[Requirement]:
                              "reason.")  # fmt: skip
 
 
-def _runs_red(scene: Scene, actor: str | None) -> bool:
-    """Whether S lets somebody pass a red light."""
-    spec = scene.actors.get(actor or "")
-    return spec is not None and any(p.action == "run_red" for p in spec.phases)
+def _may_pass_red(scene: Scene, actor: str) -> bool:
+    """Whether S lets somebody pass a red light: itself, behind one that does, or ego as it turns right after a stop."""
+    phases = scene.actors[actor].phases
+    who = {actor, *(p.target for p in phases if p.action == "follow")}
+    if any(p.action == "run_red" for one in who if one in scene.actors for p in scene.actors[one].phases):
+        return True
+    turn = next((i for i, p in enumerate(phases) if p.action == "turn_right"), 0)
+    return actor == EGO and any(p.action in ("stop", "yield") for p in phases[:turn])
 
 
 def unseen(requirement: Requirement, evidence: Evidence) -> Result:

@@ -88,13 +88,14 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
         yield scene.make("start", "lateral", actor, "placement.lateral", text, other=place.of, least=least, most=most)
     if place.hidden_by is not None:
         hider = scene.objects.get(place.hidden_by)
+        by_road = place.position in APPROACHES
         passes = place.position in OFF_LANES and hider is not None and hider.placement.position in NEXT_LANES
-        comes = place.position in APPROACHES
+        comes = by_road or passes
         text = f"{name} is hidden from ego by {scene.named(place.hidden_by)} " \
-            f"{'as it comes' if passes or comes else 'at first'}."  # fmt: skip
-        kind, check = ("place", "comes_hidden") if passes or comes else ("start", "hidden")
+            f"{'as it comes' if comes else 'at first'}."  # fmt: skip
+        kind, check = ("place", "comes_hidden") if comes else ("start", "hidden")
         yield scene.make(kind, check, actor, "placement.hidden_by", text, other=place.hidden_by,  # type: ignore[arg-type]
-                         at_first=comes)  # fmt: skip
+                         at_first=by_road)  # fmt: skip
     if place.facing in ("along", "against") and spec.type not in ("pedestrian", "child", "animal"):
         yield scene.make("start", "facing", actor, "placement.facing", f"{name} faces {place.facing} the road.",
                          against=place.facing == "against")  # fmt: skip

@@ -642,12 +642,12 @@ behavior BackInto(other, speed):
         steer = place.x / max(abs(place.y), 3)
         take SetReverseAction(True), SetSteerAction(max(-0.8, min(0.8, steer))), SetSpeedAction(-speed)
 
+SWINGS = 4  # m/s2 at which one that leaves its way for what it hits turns at most
+
 def leaves_for(car, points, other):
     """How far (m) before `other`, beside the way of points, `car` leaves it so as to hit it, turning no harder than
     `SWINGS` m/s2."""
     return max(15 + 1.5 * car.speed, car.speed * math.sqrt(2 * along_line(points, other.position)[1] / SWINGS))
-
-SWINGS = 4
 
 def near(car, other):
     """Whether `car` and `other` would touch within about a second if one turned to the other."""
@@ -879,18 +879,16 @@ def need(car, other):
         return 0
     place = (other.position - car.position).rotatedBy(-car.heading)
     motion = other.velocity.rotatedBy(-car.heading)
-    across = abs(math.sin(other.heading - car.heading))
-    in_lane = across < 0.5 and getattr(other, 'isVehicle', False) and not off_lane(other, 0.9)
+    across, vehicle = abs(math.sin(other.heading - car.heading)), getattr(other, 'isVehicle', False)
+    in_lane = across < 0.5 and vehicle and not off_lane(other, 0.9)
     if in_lane:
         motion = Vector(0, motion.y)  # nobody can see yet that it is leaving its lane
     gap = place.y - (car.length + other.width * across + other.length * (1 - across)) / 2
     closing = car.speed - motion.y
-    room = 0.4 if other.speed < 0.3 and getattr(other, 'isVehicle', False) else 0.8  # m, at least
-    room = 0.25 if in_lane else room
-    if getattr(other, 'isVehicle', False):
-        room += SPARE * abs(motion.x) * across  # one that crosses may come a little sooner or later
+    room = 0.4 if other.speed < 0.3 and vehicle else 0.8  # m, at least
+    room = 0.25 if in_lane else room + SPARE * abs(motion.x) * across * bool(vehicle)  # it may come sooner or later
     reach = (car.width + other.length * across + other.width * (1 - across)) / 2 + room
-    if place.y <= 0 or across > 0.5 and getattr(other, 'isVehicle', False) and could_stop(other):
+    if place.y <= 0 or across > 0.5 and vehicle and could_stop(other):
         return 0
     if gap < 8 and car.speed < 2 and motion.y < 1 and abs(place.x) < reach:
         return 9

@@ -9,7 +9,7 @@ from roads import Actor, Scene, event, ramp, swap
 
 from c2s_engine.require import evaluate, majority, require, whole, without_reaction
 from c2s_engine.require.deriving import PARTS
-from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.components import Assumption, Component, Structure
 from c2s_engine.structure.facts import ContactFact, Mark, Stay
 from c2s_engine.structure.measures import collisions
 from c2s_engine.structure.requirements import Run, failures, tally
@@ -89,6 +89,8 @@ BACKWARDS = ramp((0, 10), (3, 10), (5, 14), (7, 14), (9, 8), (12, 8))
 
 AFTER_IT = Phase(action="brake", trigger=Trigger(kind="action", of="O1", action="brake"))
 OVERTAKES = EgoSpec(phases=(Phase(action="overtake", target="O1"), Phase(action="keep_lane")))
+HITS_AS_IT_OVERTAKES = EgoSpec(phases=(Phase(action="overtake", target="O1"), Phase(action="collide", target="O1")))
+PUSHED = ContactFact(time=4.5, one="other", other="next", part_one="front", part_other="rear")
 PASSED = {"events": (event("overtake", 5.0, "other"),)}
 OUT = (Stay(time=0.0, lane=1, to_ego="own"), Stay(time=3.0, lane=2, to_ego="left"))
 BRAKES_LATER = Phase(action="brake", trigger=Trigger(kind="action", of="O1", action="brake", delay=2.0))
@@ -623,6 +625,34 @@ CASES = [
         Scene([ego(**PASSED, stays=(*OUT, Stay(time=8.0, lane=1, to_ego="own"), Stay(time=14.0, lane=2))), other()],
               seconds=16.0),
     ),
+    (
+        "gets past what is no vehicle",
+        "E.phases.0.overtake",
+        s(ObjectSpec(type="container", speed=0, phases=(Phase(action="stationary"),)), ego=OVERTAKES),
+        Scene([ego(), other(kind="obstacle", speed=0.0)]),
+        Scene([ego(speed=ramp((0, 10), (1, 10), (3, 0), (12, 0))), other(kind="obstacle", speed=0.0)]),
+    ),
+    (
+        "has pulled out to overtake as it hits the other",
+        "E.phases.0.overtake",
+        s(ObjectSpec(), ego=HITS_AS_IT_OVERTAKES),
+        Scene([ego(x=ramp((0, 0), (2, 0), (4, -2), (12, -2))), other()], contacts=(HIT,)),
+        Scene([ego(), other()], contacts=(HIT,)),
+    ),
+    (
+        "turns right on red after a stop",
+        "E.obeys_light",
+        s(ego=EgoSpec(phases=(Phase(action="turn_right"), Phase(action="stop"))), place=RED),
+        Scene([ego()]),
+        Scene([ego(events=(event("run_red", 5.0),))]),
+    ),
+    (
+        "no collision but of one of a row that is struck",
+        "T.no_other_contact",
+        s(ObjectSpec(count=2), ego=EgoSpec(phases=(Phase(action="collide", target="O1"),))),
+        Scene([ego(), other(), Actor("next", "O1", y=32.0)], contacts=(HIT, PUSHED)),
+        Scene([ego(), other(), Actor("next", "O2", y=32.0)], contacts=(HIT, PUSHED)),
+    ),
 ]
 
 
@@ -892,3 +922,24 @@ def test_a_phase_that_does_not_occur_names_the_line_at_which_its_behavior_ended(
     facts = run.facts.model_copy(update={"objects": objects})
     seen = {r.requirement: r.seen for r in evaluate(require(structure), facts, run.trajectories)}
     assert seen["O1.phases.0.brake"].endswith("; its behavior ended at line 12 of the program")
+
+
+def test_ego_may_turn_right_on_red_only_after_a_stop_that_s_says() -> None:
+    stop, turn = Phase(action="stop"), Phase(action="turn_right")
+    ids = [{r.id for r in require(s(ego=EgoSpec(phases=p), place=RED))} for p in ((stop, turn), (turn, stop), (turn,))]
+    assert ["E.obeys_light" in found for found in ids] == [False, True, True]
+
+
+def test_who_follows_one_that_runs_the_light_may_pass_it_too() -> None:
+    follows = tuple(ObjectSpec(phases=(Phase(action="follow", target=t),)) for t in ("O1", "O2"))
+    ids = {r.id for r in require(s(ObjectSpec(phases=(Phase(action="run_red"),)), *follows, place=RED))}
+    assert "O2.obeys_light" not in ids and "O3.obeys_light" in ids
+
+
+def test_an_assumed_reaction_is_not_required_but_the_threat_is_judged_without_it() -> None:
+    made = s(CUT_IN, ego=EgoSpec(reaction="brake"))
+    note = Assumption(field="reaction", value="brake", reason="as usual")
+    assumed = made.with_component(made.ego.model_copy(update={"assumed": (note,)}))
+    for structure, reaction in ((made, True), (assumed, False)):
+        found = {r.id: r for r in require(structure)}
+        assert ("E.reaction.O1" in found) is reaction and found["O1.threat"].values["reaction"] is True

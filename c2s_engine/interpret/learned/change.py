@@ -25,7 +25,7 @@ from c2s_engine.interpret.learned.decoder import loaded
 from c2s_engine.interpret.learned.notation import NONE, PLACEMENT, Components, parse, short
 from c2s_engine.interpret.learned.quantities import si
 from c2s_engine.interpret.learned.reader import component_of_data
-from c2s_engine.interpret.learned.units import with_units
+from c2s_engine.interpret.learned.units import rooms_in_seconds, with_units
 from c2s_engine.interpret.llm.fallback import distinct_names
 from c2s_engine.interpret.reading import scan
 from c2s_engine.structure.components import Component, Structure
@@ -69,7 +69,7 @@ def read_change(text: str, structure: Structure) -> Change | None:
     """The change that a text asks for; None where the model's answer is not `LEAST` likely, does not fit S, or changes
     somebody else than the one named, who is not there. Raises ReaderError."""
     answer = loaded().answer(prompt(structure, text))
-    lines = [line.strip() for line in answer.text.splitlines() if line.strip()]
+    lines = [line.strip() for line in rooms_in_seconds(answer.text, text).splitlines() if line.strip()]
     likely = math.exp(min((p for _, p in answer.tokens), default=0.0))
     if not lines or likely < LEAST:
         return None

@@ -22,24 +22,6 @@ DIMENSIONS = {
 """By SI unit, the units that measure the same."""
 
 
-_SECONDS = re.compile(rf"({_NUMBER})\s*-?\s*(?:s|secs?|seconds?)\b", re.I)
-_METRES = re.compile(rf"({_NUMBER})\s*-?\s*(?:m|met(?:er|re)s?)\b", re.I)
-
-
-def in_seconds(value: Any, text: str) -> Any:
-    """A room as written ("1.5m"), in seconds where the text has that number of seconds and never of metres; lists and
-    maps item by item; all else as it is."""
-    if isinstance(value, dict):
-        return {key: in_seconds(item, text) for key, item in value.items()}
-    if isinstance(value, list):
-        return [in_seconds(item, text) for item in value]
-    found = _ONE.fullmatch(value.strip()) if isinstance(value, str) else None
-    if found is None or found[2] != "m":
-        return value
-    metres, seconds = ({float(n) for n in unit.findall(text)} for unit in (_METRES, _SECONDS))
-    return f"{found[1]}s" if float(found[1]) in seconds - metres else value
-
-
 def unit_of(value: Any) -> str:
     """The SI unit of a quantity as written; empty for all else."""
     found = (_ONE.fullmatch(value.strip()) or _RANGE.fullmatch(value.strip())) if isinstance(value, str) else None

@@ -21,7 +21,8 @@ from c2s_engine.interpret.learned.certainty import CERTAIN, certainties
 from c2s_engine.interpret.learned.decoder import Answer, ReaderError, loaded
 from c2s_engine.interpret.learned.grounding import grounded
 from c2s_engine.interpret.learned.notation import Components, left_out, parse
-from c2s_engine.interpret.learned.quantities import in_seconds, si, unit_of
+from c2s_engine.interpret.learned.quantities import si, unit_of
+from c2s_engine.interpret.learned.units import rooms_in_seconds
 from c2s_engine.interpret.llm import fallback
 from c2s_engine.interpret.llm.components import link
 from c2s_engine.interpret.scene import Scene
@@ -104,7 +105,7 @@ def with_guesses(structure: Structure, answer: Answer) -> tuple[Structure, list[
 
 def reading(answer: str, found: Understood) -> Structure | None:
     """S of a text by the model's answer, with what became of each clause; None where the answer is no scenario."""
-    components: Components = in_seconds(parse(answer), found.mended.text)
+    components = parse(rooms_in_seconds(answer, found.mended.text))
     if not components.keys() & {"E", "R"}:
         return None
     scene = found.scene

@@ -15,17 +15,32 @@ OF_TRIGGER = {"ttc": "s", "time": "s", "speed": "m/s"}
 OF_LIMIT = {"speed": "m/s", "acceleration": "m/s2", "deceleration": "m/s2", "lateral_acceleration": "m/s2",
             "jerk": "m/s3", "ttc": "s", "time": "s"}  # fmt: skip
 WORDS = {"kph": "km/h", "kmh": "km/h", "metres": "m", "meters": "m", "metre": "m", "feet": "ft", "seconds": "s",
-         "second": "s", "sec": "s", "yards": "yd", "m/s²": "m/s2"}  # fmt: skip
+         "second": "s", "sec": "s", "secs": "s", "yards": "yd", "m/s²": "m/s2"}  # fmt: skip
 NOT_MEASURED = ("arms", "lanes", "lanes_over", "count")
 LEFT_OUT = ("component", "later", "model", "preset", "parameters", "map")
 _TOLD = re.compile(r"\b(\d+(?:\.\d+)?)[\s-]*([a-zA-Z/²]+[23]?)")
 
 
+def _told(text: str) -> list[str]:
+    """The quantities of a text, as "30 mph"."""
+    return [f"{number} {unit}" for number, word in _TOLD.findall(text) if (unit := WORDS.get(word, word)) in UNITS]
+
+
+def rooms_in_seconds(answer: str, text: str) -> str:
+    """A model's answer with its rooms ("gap=1.5m") in seconds where the text has that number of seconds and never of
+    metres."""
+    told = _told(text)
+
+    def room(match: re.Match[str]) -> str:
+        in_seconds = f"{match[1]} s" in told and f"{match[1]} m" not in told
+        return f"={match[1]}{'s' if in_seconds else 'm'}"
+
+    return re.sub(r"=(\d+(?:\.\d+)?)m\b", room, answer)
+
+
 def with_units(structure: Structure, text: str) -> dict[str, dict[str, Any]]:
     """The components that say something, each quantity as the text has it ("30 mph") where it is found there."""
-    told = [
-        f"{number} {WORDS.get(unit, unit)}" for number, unit in _TOLD.findall(text) if WORDS.get(unit, unit) in UNITS
-    ]
+    told = _told(text)
     found = {}
     for c in structure.components:
         said = _said(c.spec.model_dump(mode="json", exclude_defaults=True, exclude_none=True), told, "", {})

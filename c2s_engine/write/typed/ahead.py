@@ -164,24 +164,25 @@ def comes_first(structure: Structure) -> Structure:
     place = structure.place.spec
     assert isinstance(place, PlaceSpec)
     for component in structure.objects:
-        spec = component.spec
-        assert isinstance(spec, ObjectSpec)
-        at = spec.placement
-        for phase in spec.phases:
-            thing = structure[phase.target].spec if phase.target and phase.target in structure else None
-            if phase.action not in GETS_PAST or not isinstance(thing, ObjectSpec) or not is_static(thing):
+        spec = _starting_ahead(structure, component.id)
+        for phase in spec.phases if spec is not None and not is_static(spec) else ():
+            thing = _starting_ahead(structure, phase.target) if phase.action in GETS_PAST else None
+            if spec is None or thing is None or not is_static(thing) or thing.placement.gap is not None:
                 continue
-            there = thing.placement
-            both = at.of == there.of == "ego" and "behind" not in (at.position, at.along, there.position, there.along)
-            if not both or there.position not in AHEAD or at.position not in AHEAD or is_static(spec):
-                continue
-            own = middle(speed_of(spec, place))
-            gap = middle(at.gap) if at.gap is not None else default_gap(spec, own, place)
-            reached = round(gap + LENGTH[spec.type] + own * (UNDISTURBED + WARNED), 1)
-            if there.gap is None:
-                changes = {"gap": reached}
-                structure = structure.with_spec(str(phase.target), placement=there.model_copy(update=changes))
+            own, gap = middle(speed_of(spec, place)), spec.placement.gap
+            first = middle(gap) if gap is not None else default_gap(spec, own, place)
+            beyond = round(first + LENGTH[spec.type] + own * (UNDISTURBED + WARNED), 1)
+            placement = thing.placement.model_copy(update={"gap": beyond})
+            structure = structure.with_spec(str(phase.target), placement=placement)
     return structure
+
+
+def _starting_ahead(structure: Structure, cid: str | None) -> ObjectSpec | None:
+    """An object that starts ahead of ego, in its lane or beside the road; None: it does not, or is not there."""
+    spec = structure[cid].spec if cid and cid in structure else None
+    at = spec.placement if isinstance(spec, ObjectSpec) else None
+    ahead = at is not None and at.of == "ego" and at.position in AHEAD and at.along != "behind"
+    return spec if ahead and isinstance(spec, ObjectSpec) else None
 
 
 def let_by(structure: Structure) -> Structure:

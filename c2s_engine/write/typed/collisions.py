@@ -293,8 +293,8 @@ def straight_for(c: Course, p: Phase, hit: str) -> list[Step]:
     left = spec is not None and spec.placement.side == "left"
     out = c.drive(goal, offset=scope.number(OVER_EDGE if left else -OVER_EDGE), shift=DRIFTS)
     seconds = round(sideways(OVER_EDGE, DRIFTS) + 0.3, 1)
-    first = f"{scope.number(round(seconds - 1, 1))} * self.speed - 5"
-    near = f"until (distance from self to {other}) < leaves_for(self, line, {other}) + {first}"
+    drifts = f"{scope.number(round(seconds - 1, 1))} * self.speed"
+    near = f"until (distance from self to {other}) < leaves_for(self, line, {other}) + {drifts}"
     return [([c.drive(goal)], near), ([out], f"for {scope.number(seconds)} seconds"), ram]
 
 

@@ -131,15 +131,13 @@ LEAVES = ("lane_change", "cut_out", "leave_road")
 
 def leaves_lane(spec: ObjectSpec | EgoSpec | None) -> bool:
     """Whether somebody clears its lane for who is behind it: ego where it gives way."""
-    if spec is None or isinstance(spec, EgoSpec) and spec.reaction not in ("yield", "none"):
+    if spec is None or isinstance(spec, EgoSpec) and spec.reaction != "yield":
         return False
     out = next((i for i, p in enumerate(spec.phases) if p.action in LEAVES), None)
     if out is None or spec.phases[out].action == "leave_road" and not pulls_over(spec, out):
         return False
     trigger = spec.phases[out].trigger
-    if trigger is not None and trigger.kind == "passed":  # once it has passed another, not that it is passed
-        return trigger.subject in (None, "ego") and isinstance(spec, EgoSpec)
-    return trigger is None or trigger.kind != "contact"
+    return trigger is None or trigger.kind not in ("passed", "contact")
 
 
 def lane_is_cleared(phase: Phase, other: ObjectSpec | EgoSpec | None) -> bool:

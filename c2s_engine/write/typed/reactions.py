@@ -56,7 +56,7 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     assert isinstance(spec, EgoSpec)
     follows = spec.reaction == "follow" and spec.react_to is None  # as it drives
     reacts = spec.reaction != "none" and not follows
-    return _guarded(actor, statements) if reacts and found == statements else found
+    return _guarded(actor, statements) if reacts and found is statements else found
 
 
 def _guarded(actor: Actor, statements: list[str]) -> list[str]:

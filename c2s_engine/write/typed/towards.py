@@ -176,9 +176,9 @@ def _until_forced(c: Course, p: Phase, other: str) -> list[Step]:
         near = f"(distance from self to {other}) < 40 and lead_on(self, {other}) > -40"
         pace = f"lambda: max({scope.number(0.7 * a.value)}, pace(self, {other}, {scope.number(0.9 * a.value)}, 0.5))"
     else:
+        beside = c.target_lane(p) in (1, -1) and spec.placement.along == "ahead"
         near = f"{other}.speed > 0.5 and (distance from self to {other}) < 5 + 5 * self.speed"
-        near = f"off_lane({other})" if c.target_lane(p) in (1, -1) and spec.placement.along == "ahead" else near
-        pace = scope.number(0.5 * a.value)
+        near, pace = f"off_lane({other})" if beside else near, scope.number(0.5 * a.value)
     return [([c.drive()], f"until {near}"), ([c.drive(pace, 2.5)], f"until {other}._lane is self._lane")]
 
 

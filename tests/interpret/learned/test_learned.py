@@ -16,8 +16,9 @@ from c2s_engine.interpret.embedded import InterpretError, understood
 from c2s_engine.interpret.learned import Answer, ReaderError, asked, installed, learned, loaded, reading
 from c2s_engine.interpret.learned.decoder import base
 from c2s_engine.interpret.learned.notation import left_out, parse, short, with_left_out
-from c2s_engine.interpret.learned.quantities import in_seconds, si
+from c2s_engine.interpret.learned.quantities import si
 from c2s_engine.interpret.learned.reader import CHECK, NAMED, NOT_USED, PASSED_OVER, structure_of
+from c2s_engine.interpret.learned.units import rooms_in_seconds
 from c2s_engine.structure.account import account
 from c2s_engine.structure.progress import Finished
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, SettingsSpec
@@ -45,8 +46,8 @@ def test_quantities(said, value):
     ("1.5 s later it stops 1.5 m short.", "1.5m"), ("It follows 1.5 metres behind.", "1.5m"), ("It is near.", "1.5m"),
 ])  # fmt: skip
 def test_a_room_has_the_unit_that_its_number_has_in_the_text(text, gap):
-    data = in_seconds({"O1": {"placement": {"gap": "1.5m"}, "phases": [{"clearance": "4m"}]}}, text)
-    assert data == {"O1": {"placement": {"gap": gap}, "phases": [{"clearance": "4m"}]}}
+    answer = "O1: car at=ahead gap={} ; stop clearance=4m @distance of=ego value=20m"
+    assert rooms_in_seconds(answer.format("1.5m"), text) == answer.format(gap)
 
 
 def test_a_headway_that_was_read_as_metres_is_a_headway():

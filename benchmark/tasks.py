@@ -10,7 +10,7 @@ from typing import Any
 
 import c2s_engine
 from c2s_bench.records import Record
-from c2s_engine.config import load_settings
+from c2s_engine.config import METHOD, load_settings
 from c2s_engine.maps.library import MapLibrary
 from c2s_engine.models.settings import settings_for
 from c2s_engine.paths import shipped
@@ -24,7 +24,7 @@ NOT_THE_METHOD = ("cli.py", "session/sessions.py", "session/session.py", "sessio
 class Setup:
     """How records are run: method, model (empty: none), map (None: the method's choice), K rollouts, first seed."""
 
-    method: str = "embedded"
+    method: str = METHOD
     model: str = ""
     map: str | None = None
     runs: int = 5

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from c2s_engine.check.client import CheckClient
 from c2s_engine.check.protocol import CheckReport, CheckRequest, Limits, PlacesRequest, Upto
-from c2s_engine.config import METHOD, Settings
+from c2s_engine.config import Settings
 from c2s_engine.maps.library import SHIPPED, MapFile, MapLibrary, MapNotFound
 from c2s_engine.session.places import DEFAULT_MAP
 from c2s_engine.session.steps import Tools, silent
@@ -300,24 +300,18 @@ class Engine:
                 yield offer
 
     async def read(self, text: str, emit: Callable[[Progress], None] = silent) -> Structure:
-        """S of a text as the usual method reads it, without the planner; a model that is served is not asked: then it
-        is the embedded interpreter's. `emit` gets what is to be said of it. Raises Unreadable."""
-        from c2s_engine.session.methods import reading_method
+        """S of a text as the learned reader reads it, without the planner; a model that is served is not asked. `emit`
+        gets what is to be said of it. Raises Unreadable."""
+        from c2s_engine.session.methods import ReaderMethod
 
-        method = reading_method(self.tools)
+        method = ReaderMethod(self.tools)
         return (await method.read(text, emit)).model_copy(update={"read_by": method.name})
 
-    async def without_effect(
-        self, text: str, upon: Structure | None = None, read_so: Structure | None = None
-    ) -> tuple[Unmet, ...]:
-        """The phrases of a text that make no difference to the S which the embedded interpreter reads (a second or
-        more) and are not in `read_so` either, if that was read by a model; or to what the text changes in the S upon
-        which it is said. Raises Unreadable."""
-        from c2s_engine.session.no_effect import edit_phrases_without_effect, without_effect
+    async def without_effect(self, text: str, structure: Structure) -> tuple[Unmet, ...]:
+        """The phrases of a text (S's own, or a change that made S what it is) of which nothing is in what S says."""
+        from c2s_engine.session.no_effect import without_effect
 
-        if upon is None or upon.blank:
-            return await without_effect(text, self.tools, read_so)
-        return await edit_phrases_without_effect(text, upon, self.tools, self.settings.method == METHOD)
+        return await without_effect(text, structure, self.tools)
 
     def gaps(self, ways: Trajectories) -> dict[str, list[float]]:
         """By each other's name, m between its box and ego's (bumper to bumper) at each step of a run."""

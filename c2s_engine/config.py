@@ -11,7 +11,9 @@ from c2s_engine import paths
 
 METHOD = "reader"
 """The method where none is asked for."""
-WITHOUT_MODEL = frozenset(("reader", "embedded", "chatscene"))
+FORMER = ("embedded",)
+"""Names of methods that were, which settings and sessions may still have: METHOD is meant."""
+WITHOUT_MODEL = frozenset((METHOD, *FORMER, "chatscene"))
 """The methods that need no model to be served."""
 
 
@@ -25,7 +27,7 @@ class Settings(BaseModel):
     model_config = ConfigDict(extra="ignore")
 
     method: str = METHOD
-    """How texts are read and programs written: reader, embedded, typed, mixed, chat2scenic:C1 ... C12, chatscene ..."""
+    """How texts are read and programs written: reader, typed, mixed, chat2scenic:C1 ... C12, chatscene ..."""
     map: str | None = None
     """The map where the text names none; none: the paper's default Town05 where it is installed, else `town`."""
     map_folders: tuple[str, ...] = ()

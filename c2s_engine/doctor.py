@@ -27,7 +27,7 @@ async def examine(settings: Settings | None = None) -> list[dict[str, Any]]:
         try:
             add(package, True, version(package), optional=optional)
         except PackageNotFoundError:
-            purpose = "only for --method reader: " if optional else ""
+            purpose = "without it a model that is served has to read the texts: " if optional else ""
             add(package, False, "not installed", f"{purpose}run `make run` again", optional)
     carla = importlib.util.find_spec("carla") is not None
     add(
@@ -75,7 +75,7 @@ async def _ollama(add: Any, settings: Settings) -> None:
             if settings.model:
                 await _model(add, client)
     except ModelError as error:
-        add("Ollama", False, str(error), "not needed by the embedded method; `ollama serve` starts it", True)
+        add("Ollama", False, str(error), "not needed by the reader; `ollama serve` starts it", True)
 
 
 async def _model(add: Any, client: Any) -> None:

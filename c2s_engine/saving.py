@@ -112,7 +112,7 @@ async def followed(engine: "Engine", edits: Sequence[Edit]) -> Structure:
     read. Nothing is run."""
     structure = apply(Structure(), edits[0])
     if edits[1:]:
-        async for event in engine.apply(structure, edits[1:], method="embedded", run=False):
+        async for event in engine.apply(structure, edits[1:], run=False):
             structure = event.structure if isinstance(event, Finished) else structure
     return structure
 

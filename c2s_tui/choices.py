@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 
 METHODS = [
     Choosable("reader", "reader", "a small model that was trained to read scenarios, in this process"),
-    Choosable("embedded", "embedded", "no model: grammar and tables, at once; reads what is too long for the reader"),
     Choosable("typed", "typed", "a language model fills in S; the code is written from its fields"),
     Choosable("mixed", "mixed", "like typed; what no field can express, the model writes as code"),
     *(Choosable(f"chat2scenic:C{i}", f"C{i}", f"configuration {i} of Chat2Scenic: a language model writes the code")

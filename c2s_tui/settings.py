@@ -20,7 +20,7 @@ class Settings(Part):
         prefs, choice = self.app.prefs, self.bench.choices.choice
         entries = [
             Choosable("method", "method", choice.method),
-            Choosable("model", "model", choice.model or "none (reader and embedded work without one)"),
+            Choosable("model", "model", choice.model or "none (the reader works without one)"),
             Choosable("map", "map", choice.map or "auto"),
             Choosable("theme", "theme", self.app.theme),
             Choosable("animation", "animation", "on" if prefs.animation else "off (for slow connections)"),

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 import pytest_asyncio
 import yaml
+from answers import stand_in
 from hypothesis import settings
 
 from c2s_engine.api import Engine
@@ -20,10 +21,17 @@ KNOWN = yaml.safe_load((Path(__file__).parent / "known_failures.yaml").read_text
 
 @pytest_asyncio.fixture(scope="session")
 async def engine() -> AsyncIterator[Engine]:
-    """One engine for all tests that need no other: each start costs seconds. It reads texts in the same way on every
-    machine, without the learned reader's model."""
-    async with Engine(Settings(method="embedded")) as started:
+    """One engine for all tests that need no other: each start costs seconds."""
+    async with Engine(Settings()) as started:
         yield started
+
+
+@pytest.fixture(autouse=True)
+def answers(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Recorded answers instead of the learned reader's model, but for tests marked `model`."""
+    if request.node.get_closest_marker("model") is None:
+        for module in ("reader", "change"):
+            monkeypatch.setattr(f"c2s_engine.interpret.learned.{module}.loaded", stand_in)
 
 
 @pytest.hookimpl(tryfirst=True)  # before -m looks at the marks

@@ -1,4 +1,4 @@
-"""`python -m c2s_bench.interpret [-v]`: the per-stage accuracy of the embedded interpreter on its own suite."""
+"""`python -m c2s_bench.interpret [-v]`: how the learned reader does on the suite, by what is expected."""
 
 import sys
 

@@ -12,7 +12,8 @@ import yaml
 
 from c2s_bench.interpret import turns
 from c2s_bench.interpret.score import STAGES, Verdict, judge
-from c2s_engine.interpret import EmbeddedInterpreter, InterpretError
+from c2s_engine.interpret import InterpretError
+from c2s_engine.interpret.learned import learned
 
 HERE = Path(__file__).parent
 FILES = ("sentences", "texts", *sorted(p.stem for p in HERE.glob("fresh_*.yaml")), turns.STAGE)
@@ -48,8 +49,7 @@ def entries(name: str) -> list[dict[str, Any]]:
 
 def run(files: tuple[str, ...] = FILES) -> tuple[dict[str, dict[str, Half]], list[tuple[int, float]]]:
     """Both halves of each file, and (words, seconds) of every text."""
-    interpreter = EmbeddedInterpreter()
-    interpreter.interpret("A car brakes ahead of ego.")
+    learned("A car brakes ahead of ego.")
     results: dict[str, dict[str, Half]] = {}
     times: list[tuple[int, float]] = []
     for name in files:
@@ -61,7 +61,7 @@ def run(files: tuple[str, ...] = FILES) -> tuple[dict[str, dict[str, Half]], lis
                 continue
             started = perf_counter()
             try:
-                structure = interpreter.interpret(entry["t"]).structure
+                structure = learned(entry["t"]).structure
             except InterpretError as error:
                 half.add(entry["t"], [Verdict("actors", False, str(error))])
                 continue

@@ -82,7 +82,7 @@ def of_snippets() -> Iterator[Given]:
 
 
 async def written() -> list[Given]:
-    """What the embedded method writes for the texts of the benchmark's development part."""
+    """What the usual method writes for the texts of the benchmark's development part."""
     from c2s_bench.records import load
 
     found = []

@@ -1,11 +1,10 @@
 """`python -m c2s_bench.reading read | run | through | turns`: how well scenes and changes are read; how many run as S
 by hand requires.
 
-read: the embedded interpreter (or, with --reader, the learned reader) on wordings of scenes held out of
-training. run: S by hand to a run; the share in which all that S requires is seen, and what fails most. through: the
-text to a run; the share in which all that S by hand requires is seen. turns: changes upon scenes that are held out of
-training, by the rules of the embedded interpreter (or, with --reader, as the app makes them); the share in which S
-becomes what it should.
+read: the learned reader on wordings of scenes held out of training. run: S by hand to a run; the share in which all
+that S requires is seen, and what fails most. through: the text to a run; the share in which all that S by hand requires
+is seen. turns: changes upon scenes that are held out of training, as the app makes them (--writer: of one writer); the
+share in which S becomes what it should.
 """
 
 import argparse
@@ -13,7 +12,6 @@ import asyncio
 import random
 import re
 from collections import Counter
-from collections.abc import Callable
 
 from c2s_bench.reading.agreement import Agreement, agreement
 from c2s_bench.reading.scenes import Scene, scenes
@@ -21,27 +19,17 @@ from c2s_bench.reading.through import seen
 from c2s_bench.reading.turns import outcome, turns
 from c2s_engine.api import Engine
 from c2s_engine.config import Settings
-from c2s_engine.interpret import EmbeddedInterpreter
 from c2s_engine.interpret.learned import learned
 from c2s_engine.report.gather import TextRecord, of_text
-from c2s_engine.structure.components import Structure
-
-Read = Callable[[str], Structure]
 
 
-def reading(by_model: bool) -> Read:
-    """How a text is read: by the learned reader, or by the embedded interpreter."""
-    embedded = EmbeddedInterpreter()
-    return lambda text: learned(text).structure if by_model else embedded.interpret(text).structure
-
-
-def read(chosen: list[Scene], one: Read) -> None:
+def read(chosen: list[Scene]) -> None:
     """Print how the scenes' first wordings are read."""
     found: list[Agreement] = []
     for scene in chosen:
         try:
-            found.append(agreement(one(scene.texts[0]), scene.structure))
-        except ValueError as error:  # a text that the interpreter refuses
+            found.append(agreement(learned(scene.texts[0]).structure, scene.structure))
+        except ValueError as error:  # a text that the reader refuses
             print(f"{scene.id}: {error}")
             found.append(Agreement(0, 0, agreement(scene.structure, scene.structure).there, False))
     agreed, said, there = (sum(getattr(a, name) for a in found) for name in ("agreed", "read", "there"))
@@ -69,15 +57,15 @@ async def run(chosen: list[Scene]) -> None:
         print(f"{times:4} {name}")
 
 
-async def through(chosen: list[Scene], one: Read) -> None:
+async def through(chosen: list[Scene]) -> None:
     """Print in how many scenes the run of what is read of the text shows all, or all but one, that S by hand requires,
     and what fails most."""
     failed, failing = list[int | None](), Counter[str]()
     async with Engine(Settings()) as engine:
         for number, scene in enumerate(chosen, 1):
             try:
-                results = await seen(engine, scene.id, one(scene.texts[0]), scene.structure)
-            except ValueError:  # a text that the interpreter refuses
+                results = await seen(engine, scene.id, learned(scene.texts[0]).structure, scene.structure)
+            except ValueError:  # a text that the reader refuses
                 results = ()
             names = {re.sub(r"^(O)\d+|\.\d+", r"\1", r.requirement) for r in results if not r.holds}
             failed.append(sum(not r.holds for r in results) if results else None)
@@ -91,13 +79,13 @@ async def through(chosen: list[Scene], one: Read) -> None:
         print(f"{times:4} {name}")
 
 
-def change(count: int, seed: int, by_model: bool) -> None:
+def change(count: int, seed: int, writer: str) -> None:
     """Print how many changes are made as they should."""
-    chosen = [turn for turn in turns() if turn.held]
+    chosen = [turn for turn in turns() if turn.held and writer in ("", turn.writer)]
     random.Random(seed).shuffle(chosen)
     found = {bool(lines): Counter[str]() for lines in (True, False)}
     for turn in chosen[:count]:
-        found[bool(turn.lines)][outcome(turn, by_model)] += 1
+        found[bool(turn.lines)][outcome(turn)] += 1
     for changes, said in ((True, "changes"), (False, "no changes")):
         total = max(sum(found[changes].values()), 1)
         shares = (f"{name} {n} ({n / total:.0%})" for name, n in found[changes].most_common())
@@ -110,18 +98,18 @@ def main() -> None:
     parser.add_argument("--n", type=int, default=100, help="how many scenes, drawn by --seed")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--trained", action="store_true", help="of those trained on, instead of those held out")
-    parser.add_argument("--reader", action="store_true", help="read, through, turns: by the learned reader")
+    parser.add_argument("--writer", default="", help="turns: of that writer alone")
     given = parser.parse_args()
     if given.what == "turns":
-        change(given.n, given.seed, given.reader)
+        change(given.n, given.seed, given.writer)
         return
     chosen = [s for s in scenes() if s.held is not given.trained]
     random.Random(given.seed).shuffle(chosen)
     chosen = chosen[: given.n]
     if given.what == "read":
-        read(chosen, reading(given.reader))
+        read(chosen)
     elif given.what == "through":
-        asyncio.run(through(chosen, reading(given.reader)))
+        asyncio.run(through(chosen))
     else:
         asyncio.run(run(chosen))
 

@@ -57,7 +57,7 @@ def of_records() -> list[Description]:
 
 
 async def outcomes(descriptions: Sequence[Description], runs: int = 1) -> AsyncIterator[Outcome]:
-    """One after the other, in one process, with the embedded method."""
+    """One after the other, in one process, with the usual method."""
     async with Engine() as engine:
         for description in descriptions:
             finished: Any = None

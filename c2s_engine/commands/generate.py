@@ -110,7 +110,7 @@ async def _generate(
             async for event in engine.generate(text, **options):
                 if isinstance(event, StructureChanged) and idle is None:
                     read = event.structure
-                    idle = asyncio.create_task(engine.without_effect(read.text, read_so=read))  # while that is run
+                    idle = asyncio.create_task(engine.without_effect(read.text, read))  # while that is run
                 elif isinstance(event, StageStarted) and status is not None:
                     status.update(event.stage)
                 elif isinstance(event, Say) and not quiet:

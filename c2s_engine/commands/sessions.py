@@ -270,7 +270,7 @@ async def _work(
                 upon = session.structure
                 done = await _take(session.say(say, **options), quiet, told)
                 if done is not None and session.structure != upon:
-                    idle = await _without_effect(engine, session, say, upon)
+                    idle = await _without_effect(engine, session, say)
                     done = done.model_copy(update={"details": {**done.details, "without_effect": idle}})
             if edits:
                 meant = [_meant(edit, session.structure) for edit in edits]
@@ -282,16 +282,13 @@ async def _work(
     return session, done
 
 
-async def _without_effect(engine: "Engine", session: "Session", said: str, upon: Structure) -> "tuple[Unmet, ...]":
-    """The words of a description, or of a change, that make no difference; none where it cannot be read."""
-    try:
-        if session.structure.text not in ("", upon.text):
-            return await session.without_effect()
-        found = await engine.without_effect(said, upon)
-        session.keep_idle(said, found)
-        return found
-    except (ValueError, OSError):  # what cannot be read is said by the turn
-        return ()
+async def _without_effect(engine: "Engine", session: "Session", said: str) -> "tuple[Unmet, ...]":
+    """The words of a description, or of a change, that nothing in S says."""
+    if session.structure.text == said:
+        return await session.without_effect()
+    found = await engine.without_effect(said, session.structure)
+    session.keep_idle(said, found)
+    return found
 
 
 async def _take(events: AsyncIterator[Progress], quiet: bool, told: list[str] | None = None) -> Finished | None:

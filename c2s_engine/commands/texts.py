@@ -10,7 +10,7 @@ from rich.table import Table
 from rich.text import Text
 
 from c2s_engine.commands import show
-from c2s_engine.commands.console import OK, InputError, dump, err, out, sentences, work
+from c2s_engine.commands.console import OK, dump, err, out, sentences, work
 from c2s_engine.commands.reading import read_program, read_text
 from c2s_engine.structure.account import account
 from c2s_engine.structure.components import Structure, Unmet
@@ -26,8 +26,9 @@ Json = Annotated[bool, typer.Option("--json", help="Print one JSON object.")]
 def interpret(
     text: Annotated[str | None, typer.Argument(help="The description, or - for standard input.")] = None,
     file: Annotated[Path | None, typer.Option("--file", "-f", help="Read it from a .txt, .md or .pdf file.")] = None,
-    explain: Annotated[bool, typer.Option("--explain", help="Show each stage's result with its spans.")] = False,
-    method: Annotated[str | None, typer.Option(help="Who reads it: reader or embedded.")] = None,
+    explain: Annotated[
+        bool, typer.Option("--explain", help="Show the model's answer, how sure it is, and what each field rests on.")
+    ] = False,
     as_json: Json = False,
 ) -> None:
     """Interpret a description: what S it gives, and why. No program is written."""
@@ -35,15 +36,12 @@ def interpret(
         from c2s_engine.api import Engine
         from c2s_engine.config import load_settings
 
-        if method not in (None, "reader", "embedded"):
-            raise InputError(f"{method} does not read a text alone: choose reader or embedded, or use c2s generate.")
         description = read_text(text, file)
-        settings = load_settings()
-        engine = Engine(settings.model_copy(update={"method": method or settings.method}))
+        engine = Engine(load_settings())
         reading = f"reading {len(description):,} characters"
         with err.status(reading) if err.is_terminal and not as_json else nullcontext():
             structure, idle = asyncio.run(_read(engine, description))
-            stages = _stages(description) if explain or as_json else {}
+            stages = _stages(structure, description) if explain or as_json else {}
     if as_json:
         told = [c.model_dump(mode="json") for c in account(structure, idle)]
         dump({"structure": structure.model_dump(mode="json"), "account": told, "stages": stages,
@@ -71,14 +69,26 @@ def said(event: Progress) -> None:
 async def _read(engine: "Engine", text: str) -> tuple[Structure, tuple[Unmet, ...]]:
     """S of a text, and the phrases of it that make no difference."""
     structure = await engine.read(text, said)
-    return structure, await engine.without_effect(text, read_so=structure)
+    return structure, await engine.without_effect(text, structure)
 
 
-def _stages(text: str) -> dict[str, list[dict[str, Any]]]:
-    """What each stage of the embedded interpreter found, by which the account is made, whoever reads the text."""
-    from c2s_engine.interpret import EmbeddedInterpreter
+def _stages(structure: Structure, text: str) -> dict[str, list[dict[str, Any]]]:
+    """How S came of the text: the model's answer with how sure it is of each field, the settings that were found by
+    table, and the words that the fields rest on."""
+    from c2s_engine.interpret.learned import learned
+    from c2s_engine.interpret.learned.certainty import certainties
+    from c2s_engine.interpret.settings import detect
 
-    return EmbeddedInterpreter().interpret(text).stages
+    answer = learned(text).answer
+    sure = certainties(answer)
+    return {
+        "answer": [{"line": line} for line in answer.text.splitlines()],
+        "certainty": [{"field": f"{cid}.{path}", "likely": round(p, 3)} for (cid, path), p in sure.items()],
+        "settings": [{"field": f"{cid}.{path}", "value": f.value, "span": f.span, "text": text[slice(*f.span)]}
+                     for cid, path, f in detect(text).found()],
+        "links": [{"field": f"{c.id}.{li.field}".rstrip("."), "span": li.span, "text": li.label}
+                  for c in structure.components for li in c.links],
+    }  # fmt: skip
 
 
 def import_(

@@ -17,28 +17,10 @@ def table(name: str) -> Any:
     return yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
 
 
-@cache
-def words(name: str) -> frozenset[str]:
-    """A list of data/language/words.yaml."""
-    return frozenset(table("words")[name])
-
-
-def with_plurals(name: str) -> frozenset[str]:
-    """The nouns of a list of data/language/words.yaml in singular and plural."""
-    return frozenset(form for noun in words(name) for form in (noun, *plurals(noun)))
-
-
 def alternatives(words: list[str]) -> str:
     """A pattern that matches any of those words, the longest first; a blank matches any white space or hyphen."""
     ordered = sorted(set(words), key=len, reverse=True)
     return "|".join(re.escape(w).replace(r"\ ", r"[\s-]+").replace(r"\-", r"[\s-]?") for w in ordered)
-
-
-def filled(pattern: str, words: dict[str, str]) -> str:
-    """A pattern with what stands for each <name> in it, also within that; names of groups stay as they are."""
-    while (new := re.sub(r"(?<!\?P)(?<!\\g)<(\w+)>", lambda m: words[m[1]], pattern)) != pattern:
-        pattern = new
-    return pattern
 
 
 @cache
@@ -77,33 +59,3 @@ def other_agents() -> frozenset[str]:
     """Agents, players and drivers that are told apart from ego ("hostile drivers")."""
     others = table("actors")["others"]
     return frozenset(f"{w} {n}{s}" for w in others["words"] for n in others["nouns"] for s in ("", "s"))
-
-
-@cache
-def makes() -> frozenset[str]:
-    """The names of makes and models."""
-    return frozenset(name for names in table("actors")["makes"].values() for name in names)
-
-
-@cache
-def roles() -> dict[str, str]:
-    """Word before a noun -> its part in the scene."""
-    return {word: role for role, words in table("actors")["roles"].items() for word in words}
-
-
-@cache
-def word_list(name: str) -> frozenset[str]:
-    """A list of data/language/parsing.yaml."""
-    return frozenset(table("parsing")[name])
-
-
-@cache
-def units() -> dict[str, tuple[str, float]]:
-    """Unit as written -> (dimension, factor to SI)."""
-    return {
-        name: (dimension, float(entry["factor"]))
-        for dimension, entries in table("units").items()
-        if dimension not in ("numbers", "fractions")
-        for entry in entries
-        for name in entry["names"]
-    }

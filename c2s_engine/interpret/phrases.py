@@ -1,10 +1,9 @@
-"""The phrases of a text, and the text without each: read anew, it says whether the phrase makes any difference."""
+"""The phrases of a text: what a sentence could do without."""
 
-import re
 from collections.abc import Iterable
 from typing import Any
 
-from c2s_engine.interpret.reading.syntax import parser
+from c2s_engine.interpret.parser import parser
 
 Span = tuple[int, int]
 MODIFIES = frozenset(
@@ -13,15 +12,12 @@ MODIFIES = frozenset(
 """Grammatical relations of what a sentence can do without."""
 
 
-def without_each(text: str, clauses: Iterable[Span] = ()) -> list[tuple[Span, str]]:
-    """Spans of the text, longer ones first, each with the text that is left without it; those of its `clauses`, too."""
+def phrases_of(text: str) -> list[Span]:
+    """Their spans, longer ones first; what stands between commas and the like is one, too."""
     doc = parser()(text)
-    found = {(s.start_char, s.end_char) for s in doc.sents}
-    found |= {_span(token) for token in doc if token.dep_ in MODIFIES and _says_something(token.subtree)}
+    found = {_span(token) for token in doc if token.dep_ in MODIFIES and _says_something(token.subtree)}
     found |= {(p.start_char, p.end_char) for s in doc.sents for p in _parts(s) if _says_something(p)}  # of notes, too
-    found |= {(a, a + len(text[a:b].rstrip(" .,;"))) for a, b in clauses}
-    longest = sorted(found, key=lambda span: (span[0] - span[1], span))
-    return [(span, rest) for span in longest if (rest := _without(text, span)).strip(" .,;")]
+    return sorted(found, key=lambda span: (span[0] - span[1], span))
 
 
 def _span(token: Any) -> Span:
@@ -42,8 +38,3 @@ def _parts(sentence: Any) -> list[Any]:
 def _says_something(tokens: Iterable[Any]) -> bool:
     words = [w for w in tokens if w.is_alpha or w.like_num]
     return any((not w.is_stop or w.like_num) and w.lower_ != "ego" for w in words)
-
-
-def _without(text: str, span: Span) -> str:
-    before, after = text[: span[0]].rstrip(" ,"), text[span[1] :].lstrip()
-    return re.sub(r" (?=[.,;:!?])", "", f"{before} {after}").strip()

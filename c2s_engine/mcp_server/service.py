@@ -34,7 +34,7 @@ Text = Annotated[str, Field(description="The description of the scenario, in pla
 Program = Annotated[str | None, Field(description="The text of a Scenic program; or give `file`.")]
 File = Annotated[str | None, Field(description="Path of a .scenic file, from where the server was started.")]
 Map = Annotated[str | None, Field(description="A map by name or .xodr path; none: the program's own.")]
-Method = Annotated[str | None, Field(description="embedded (no model), typed, mixed, prompted; none: as configured.")]
+Method = Annotated[str | None, Field(description="reader (none served), typed, mixed, prompted; none: as configured.")]
 Seed = Annotated[int, Field(description="Of the sampled scene.")]
 Runs = Annotated[int, Field(ge=1, le=50, description="Rollouts of the dry run.")]
 Output = Annotated[str | None, Field(description="Save the program to that .scenic file, map and library beside it.")]
@@ -122,7 +122,7 @@ class Service:
             options = {"method": method, "map": map, "seed": seed, "runs": runs, "strict": strict}
             done, _ = await teller.finish(self.engine.generate(words, **options))  # type: ignore[arg-type]
             assert done is not None
-            idle = await self._idle(self.engine.without_effect(words, read_so=done.structure))
+            idle = await self._idle(self.engine.without_effect(words, done.structure))
             return {**answers.scenario(done, output, idle), "notes": teller.notes}
 
         return await self._work(work)
@@ -133,7 +133,7 @@ class Service:
         async def work() -> dict[str, Any]:
             words = description(text)
             found = await self.engine.read(words)
-            return answers.structure(found, await self.engine.without_effect(words, read_so=found))
+            return answers.structure(found, await self.engine.without_effect(words, found))
 
         return await self._work(work)
 

@@ -20,7 +20,7 @@ class ModelNotSet(ModelError):
     def __init__(self) -> None:
         super().__init__(
             "No language model is chosen: set one with `--model NAME`, C2S_MODEL or in config.toml (`c2s models "
-            "list` shows what is there), or stay with the embedded method, which needs none."
+            "list` shows what is there), or stay with the method reader, which needs none."
         )
 
 
@@ -41,7 +41,7 @@ class ModelUnavailable(ModelError):
     def __init__(self, host: str) -> None:
         super().__init__(
             f"Ollama does not answer at {host}: start it (`ollama serve`) or set OLLAMA_HOST; "
-            "the embedded method works without it."
+            "the method reader works without it."
         )
 
 

@@ -125,7 +125,7 @@ async def of_text(
         problem = said or "No program could be made from the text."
         return Material(id=told.id, text=told.text, matters=told.matters, problem=problem)
     read_here = told.structure is None and done.structure.text
-    idle = await engine.without_effect(told.text, read_so=done.structure) if read_here else ()
+    idle = await engine.without_effect(told.text, done.structure) if read_here else ()
     facts = done.facts[0] if done.facts else None
     name, folder = done.details.get("map") or "", done.details.get("folder")
     others = (
@@ -152,7 +152,7 @@ async def of_program(engine: Engine, file: Path, text: str, *, seed: int = 0) ->
     idle: Sequence[Unmet] = ()
     if structure.text.strip():
         with contextlib.suppress(Unreadable):
-            idle = await engine.without_effect(structure.text, read_so=structure)
+            idle = await engine.without_effect(structure.text, structure)
     return Material(id=file.stem, text=structure.text, origin=origin, structure=structure, idle=tuple(idle), **found)
 
 

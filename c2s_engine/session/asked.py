@@ -9,7 +9,6 @@ from c2s_engine.session.decided import decided, hedged, shown_of
 from c2s_engine.session.glossary import meaning
 from c2s_engine.session.question import Question, read
 from c2s_engine.session.why import explained
-from c2s_engine.session.with_measured_values import BRAKES as BEGINS
 from c2s_engine.session.yes_no import yes_or_no
 from c2s_engine.structure.account import STATUS_WORDS, Clause, account, requirements_met
 from c2s_engine.structure.components import Component, Structure
@@ -62,6 +61,8 @@ _NEXT = re.compile(rf"(?:\?\s*(?:and|or|but)?|,?\s+and)\s+(?={_QUESTION})", re.I
 _WHY = re.compile(r"^(?:and |but |so )?(?:why|what makes|what made)\b", re.I)
 _NOT = re.compile(r"\b(?:not|never|fail\w*)\b|n['’]t\b", re.I)
 _OF_EGO = re.compile(r"\b(?:I|me|my|we|us|our|you|your)\b", re.I)
+BEGINS = ("brake", "brake_hard")
+"""The events with which a stop begins."""
 BRAKES = (*BEGINS, "stop")
 SHORTLY = 2.0
 """s before somebody brakes in which what happens can be why."""

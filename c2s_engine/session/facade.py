@@ -21,8 +21,7 @@ class Turns(Protocol):
 
     def apply(self, structure: Structure, edits: Any, /, *_: Any, **options: Any) -> AsyncGenerator[Progress, None]: ...
 
-
-    async def without_effect(self, text: str, *, read_so: Structure) -> Sequence[Unmet]: ...
+    async def without_effect(self, text: str, structure: Structure) -> Sequence[Unmet]: ...
 
 
 class Checking(Protocol):

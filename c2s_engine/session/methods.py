@@ -6,9 +6,10 @@ import time
 from typing import Any, Protocol
 
 from c2s_engine.check.protocol import PlacesRequest
+from c2s_engine.config import FORMER
 from c2s_engine.maps.library import SHIPPED
 from c2s_engine.session.places import map_choice
-from c2s_engine.session.reader import Unreadable, read, read_learned
+from c2s_engine.session.reader import Unreadable, read
 from c2s_engine.session.steps import Emit, Tools, timed, write
 from c2s_engine.session.without_contradictions import without_contradictions
 from c2s_engine.solve.defaults import with_usual_reaction
@@ -41,14 +42,14 @@ class Method(Protocol):
     def account(self, structure: Structure | None) -> dict[str, Any]: ...
 
 
-class EmbeddedMethod:
-    """No model: the embedded interpreter and the typed writer."""
+class ReaderMethod:
+    """No model that has to be served: the learned reader and the typed writer."""
 
-    name = "embedded"
+    name = "reader"
     needs_place = True
 
     def __init__(self, tools: Tools):
-        self.tools = tools
+        self.tools, self.tokens = tools, 0
 
     async def interpret(self, text: str, structure: Structure, emit: Emit) -> Interpreted:
         emit(StageStarted(stage="interpret"))
@@ -71,8 +72,14 @@ class EmbeddedMethod:
         return found, [], self.account(found), result
 
     async def read(self, text: str, emit: Emit) -> Structure:
-        """S of a text; raises Unreadable."""
-        return await read(text, self.tools)
+        """S of a text, with the reaction that is usual where it says none; raises Unreadable."""
+        found = await read(text, self.tools)
+        answer = found.answer
+        self.tokens += answer.prompt_tokens + answer.answer_tokens
+        emit(Usage(purpose="read", prompt_tokens=answer.prompt_tokens, answer_tokens=answer.answer_tokens))
+        if found.note:
+            emit(Say(text=found.note, severity="warning"))
+        return with_usual_reaction(found.structure)
 
     async def write(
         self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str
@@ -87,30 +94,6 @@ class EmbeddedMethod:
         return []
 
     def account(self, structure: Structure | None) -> dict[str, Any]:
-        """It costs nothing."""
-        return {"tokens": 0}
-
-
-class ReaderMethod(EmbeddedMethod):
-    """The learned reader instead of the embedded interpreter."""
-
-    name = "reader"
-
-    def __init__(self, tools: Tools):
-        super().__init__(tools)
-        self.tokens = 0
-
-    async def read(self, text: str, emit: Emit) -> Structure:
-        """S of a text, with the reaction that is usual where it says none; raises Unreadable."""
-        found = await read_learned(text, self.tools)
-        if (answer := found.answer) is not None:
-            self.tokens += answer.prompt_tokens + answer.answer_tokens
-            emit(Usage(purpose="read", prompt_tokens=answer.prompt_tokens, answer_tokens=answer.answer_tokens))
-        if found.note:
-            emit(Say(text=found.note, severity="warning"))
-        return with_usual_reaction(found.structure)
-
-    def account(self, structure: Structure | None) -> dict[str, Any]:
         """The tokens that reading took."""
         return {"tokens": self.tokens}
 
@@ -122,16 +105,10 @@ async def _warm(tools: Tools) -> None:
         await tools.check.places(PlacesRequest(map=str(path), expressions={}))
 
 
-def reading_method(tools: Tools) -> EmbeddedMethod:
-    """The usual method as far as it reads texts without a model that is served."""
-    return ReaderMethod(tools) if tools.settings.method == ReaderMethod.name else EmbeddedMethod(tools)
-
-
 def method_named(name: str, tools: Tools) -> Method:
     """The method of that name; raises UnknownMethod."""
-    for kind in (EmbeddedMethod, ReaderMethod):
-        if name == kind.name:
-            return kind(tools)
+    if name in (ReaderMethod.name, *FORMER):
+        return ReaderMethod(tools)
     from c2s_engine.session.model_methods import model_method
 
     return model_method(name, tools)

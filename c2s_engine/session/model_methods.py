@@ -75,12 +75,12 @@ class ModelMethod:
 
     async def improve(self, structure: Structure, evaluate: Evaluate, emit: Emit) -> Outcome:
         """What the model makes of what a run did not show (write.loop)."""
-        from c2s_engine.interpret import EmbeddedInterpreter
+        from c2s_engine.interpret.learned import LearnedReader
         from c2s_engine.write.loop import improve
 
         async with client_for(self.settings) as client:
             return await improve(
-                structure, evaluate, client=client, embedded=EmbeddedInterpreter(), on_event=self._counting(emit)
+                structure, evaluate, client=client, reader=LearnedReader(), on_event=self._counting(emit)
             )
 
     def account(self, structure: Structure | None) -> dict[str, Any]:
@@ -94,10 +94,10 @@ class ModelMethod:
         a sentence of the user's keeps it."""
         if not self.reads_sentences:
             return []
-        from c2s_engine.interpret.changes.refine import described
+        from c2s_engine.interpret.learned.edits import redescribed
 
         kept = {c.id for c in after.components if c.id in before and before[c.id].description != c.description}
-        return [edit for edit in described(before, after) if getattr(edit, "component", None) not in kept]
+        return [edit for edit in redescribed(before, after) if getattr(edit, "component", None) not in kept]
 
     def _counting(self, emit: Emit) -> Emit:
         def on_event(event: Any) -> None:

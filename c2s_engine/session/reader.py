@@ -1,15 +1,13 @@
-"""The embedded interpreter in a process of its own, for fronts that draw: a parser that is being loaded holds Python's
-lock for seconds, and a key would wait for it. `python -m c2s_engine.session.reader` is the process; frames are a length
+"""The learned reader in a process of its own, for fronts that draw: a parser that is being loaded holds Python's lock
+for seconds, and a key would wait for it. `python -m c2s_engine.session.reader` is the process; frames are a length
 (four bytes) and a pickle, between processes of one program only.
 """
 
 import asyncio
 import contextlib
 import pickle
-import re
 import struct
 import sys
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, BinaryIO
 
@@ -17,9 +15,6 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import Edit
 
 HEAD = struct.Struct("!I")
-LONGEST_CHANGE, LONGEST_ASIDE = 60, 14
-"""Words of the longest text that the learned model is asked to read as a change; the same of a sentence that the rules
-take for a new scenario."""
 
 
 class Unreadable(ValueError):
@@ -57,7 +52,7 @@ class Reader:
                 self._listening = asyncio.create_task(self._listen(self._process))
 
     async def ask(self, *call: Any) -> Any:
-        """An answer to ("interpret", text) or ("route", text, structure, last); raises Unreadable."""
+        """An answer to ("read", text) or ("route", text, structure, last); raises Unreadable."""
         await self.start()
         assert self._process is not None and self._process.stdin is not None
         self._number += 1
@@ -99,28 +94,27 @@ class Reader:
                 answer.set_exception(Unreadable("The interpreter stopped while reading the text: send it again."))
 
 
-async def read(text: str, tools: Any) -> Structure:
-    """S of a text, by the process apart where there is one, else in a thread; raises Unreadable."""
-    return await _asked(tools, "interpret", text)
+async def read(text: str, tools: Any) -> Any:
+    """What the learned reader reads of a text (interpret.learned.Read), by the process apart where there is one, else
+    in a thread; raises Unreadable."""
+    return await _asked(tools, "read", text)
 
 
-async def read_learned(text: str, tools: Any) -> Any:
-    """What the learned reader reads of a text (interpret.learned.Read); raises Unreadable."""
-    return await _asked(tools, "learned", text)
+async def phrases(text: str, tools: Any) -> list[tuple[int, int]]:
+    """The spans of a text's phrases, longer ones first."""
+    return await _asked(tools, "phrases", text)
 
 
-async def phrases(
-    text: str, tools: Any, clauses: Sequence[tuple[int, int]] = ()
-) -> list[tuple[tuple[int, int], str]]:
-    """The phrases of a text, and its clauses, by their spans, longer ones first, each with what is left without it."""
-    return await _asked(tools, "phrases", text, clauses)
+async def route(
+    text: str, structure: Structure | None, tools: Any, last: tuple[str, Structure] | None = None
+) -> Asked:
+    """What a turn asks for, given the S at hand, and what was typed last upon which S."""
+    return await _asked(tools, "route", text, structure, last)
 
 
-async def route(text: str, structure: Structure | None, tools: Any, last: tuple[str, Structure] | None = None,
-                learned: Structure | None = None) -> Asked:  # fmt: skip
-    """What a turn asks for, given the S at hand, and what was typed last upon which S; `learned`: S that the learned
-    model is asked with, where it reads changes first."""
-    return await _asked(tools, "route", text, structure, last, learned)
+async def change(text: str, structure: Structure, tools: Any) -> tuple[Edit, ...]:
+    """The edits of S that a text means, which is a change; none where it is not understood. Raises Unreadable."""
+    return await _asked(tools, "change", text, structure)
 
 
 async def _asked(tools: Any, name: str, *arguments: Any) -> Any:
@@ -134,58 +128,43 @@ def _frame(value: Any) -> bytes:
 
 
 def _answer(name: str, arguments: tuple[Any, ...]) -> Any:
-    from c2s_engine.interpret import EmbeddedInterpreter, InterpreterFault, InterpretError
-    from c2s_engine.interpret.phrases import without_each
+    from c2s_engine.interpret import InterpreterFault, InterpretError
+    from c2s_engine.interpret.english import NOT_ENGLISH, is_english
+    from c2s_engine.interpret.learned import ReaderError, learned, read_change
+    from c2s_engine.interpret.phrases import phrases_of
 
     if name == "phrases":
-        return without_each(*arguments)
-    if name in ("interpret", "learned"):
-        from c2s_engine.interpret import learned
+        return phrases_of(*arguments)
+    if name == "route":
+        return routed(*arguments)
+    try:
+        if name == "change":
+            if not is_english(arguments[0]):
+                raise InterpretError(NOT_ENGLISH)
+            found = read_change(*arguments)
+            return found.edits if found is not None else ()
+        return learned(*arguments)
+    except (InterpretError, InterpreterFault, ReaderError) as error:
+        raise Unreadable(str(error)) from None
 
-        text = arguments[0]
-        try:
-            return learned.learned(text) if name == "learned" else EmbeddedInterpreter().interpret(text).structure
-        except (InterpretError, InterpreterFault) as error:
-            raise Unreadable(str(error)) from None
-    return routed(*arguments)
 
-
-def routed(text: str, structure: Structure | None, last: tuple[str, Structure] | None = None,
-           learned: Structure | None = None) -> Asked:  # fmt: skip
-    """What `route` answers, in this process: as the rules take it, but a change as the learned model reads it, where it
-    does."""
-    from c2s_engine.interpret import InterpreterFault, turn
+def routed(text: str, structure: Structure | None, last: tuple[str, Structure] | None = None) -> Asked:
+    """What `route` answers, in this process."""
+    from c2s_engine.interpret import InterpreterFault
+    from c2s_engine.interpret.turn import PreviousTurn
+    from c2s_engine.interpret.turn import route as route_here
 
     try:
-        asked = turn.route(text, structure, turn.PreviousTurn(*last) if last else None)
+        asked = route_here(text, structure, PreviousTurn(*last) if last else None)
     except InterpreterFault as fault:
         return Asked("edit", reply=str(fault))
-    plain = Asked(asked.kind, tuple(asked.edits), asked.reply, asked.corrects)
-    return plain if learned is None or learned.blank else _by_model(text, plain, learned) or plain
-
-
-def _by_model(text: str, plain: Asked, structure: Structure) -> Asked | None:
-    """What the learned model makes of a turn that the rules take for a change, or for a new scenario in one short
-    sentence; None where it knows no change."""
-    from c2s_engine.interpret.learned import ReaderError, read_change
-    from c2s_engine.interpret.turn import is_english
-
-    words = len(text.split())
-    aside = plain.kind == "scenario" and words <= LONGEST_ASIDE and not re.search(r"[.;!?\n]\s*\S", text)
-    changes = plain.kind == "edit" and not plain.corrects and 0 < words <= LONGEST_CHANGE
-    if not (aside or changes) or not is_english(text):
-        return None
-    try:
-        found = read_change(text, structure)
-    except ReaderError:
-        return None
-    return Asked("edit", found.edits, found.words) if found is not None and found.edits else None
+    return Asked(asked.kind, tuple(asked.edits), asked.reply, asked.corrects)
 
 
 def serve(requests: BinaryIO, answers: BinaryIO) -> None:
     """Answer until the pipe is closed."""
     with contextlib.suppress(Exception):
-        _answer("interpret", ("A car drives ahead of ego.",))  # loads the parser and the tables
+        _answer("read", ("A car drives ahead of ego.",))  # loads the parser and the model
     while len(head := requests.read(HEAD.size)) == HEAD.size:
         number, (name, *arguments) = pickle.loads(requests.read(*HEAD.unpack(head)))
         try:

@@ -124,7 +124,7 @@ class Session:
         """These phrases, looked for where nobody has; they are kept. Raises Unreadable."""
         text, found = self.structure.text, self.idle
         if found is None and text:
-            found = tuple(await self._engine.without_effect(text, read_so=self.structure))
+            found = tuple(await self._engine.without_effect(text, self.structure))
             await asyncio.to_thread(self._idle.keep, text, found)
         return found or ()
 

@@ -15,7 +15,6 @@ from c2s_engine.session.reader import route
 from c2s_engine.session.steps import Emit
 from c2s_engine.session.streams import Result, streamed
 from c2s_engine.session.why import explained
-from c2s_engine.session.with_measured_values import with_measured_values
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import RemoveObject
 from c2s_engine.structure.program import assemble
@@ -136,7 +135,7 @@ async def _events(
         yield _Next("question")
         return
     turn: Any = None
-    async with aclosing(streamed(lambda emit: _routed(engine, text, structure, method, last, shown, emit))) as routing:
+    async with aclosing(streamed(lambda emit: _routed(engine, text, structure, method, last, emit))) as routing:
         async for event in routing:
             if isinstance(event, Result):
                 turn = event.value
@@ -173,21 +172,18 @@ async def _routed(
     structure: Structure | None,
     method: str,
     last: tuple[str, Structure] | None,
-    shown: Finished | None,
     emit: Emit,
 ) -> Any:
-    """How the turn is taken: by the model where the method has one, else by the embedded routing."""
-    facts = next(iter(shown.facts), None) if shown is not None and shown.structure == structure else None
-    measured = with_measured_values(structure, facts) if structure is not None else None
-    plain = await route(text, measured, engine.tools, last, structure if method == METHOD else None)
+    """How the turn is taken: by the model where the method has one, else by the routing without a model."""
+    plain = await route(text, structure, engine.tools, last)
     if structure is None or plain.corrects or not uses_model(engine, method):
         return plain
-    from c2s_engine.interpret import EmbeddedInterpreter
+    from c2s_engine.interpret.learned import LearnedReader
     from c2s_engine.interpret.llm.turn import route as route_with_model
 
     async with engine.model_client() as client:
         return await route_with_model(
-            text, structure, client=client, embedded=EmbeddedInterpreter(), plain=plain, on_event=emit
+            text, structure, client=client, reader=LearnedReader(), plain=plain, on_event=emit
         )
 
 

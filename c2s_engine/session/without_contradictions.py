@@ -32,7 +32,7 @@ def without_contradictions(structure: Structure) -> Structure:
 
 def _simpler(structure: Structure, problem: ResolveError) -> Structure | None:
     """With one thing less, so that the contradiction is gone; else so that it is another one."""
-    from c2s_engine.interpret.changes.refine import described
+    from c2s_engine.interpret.learned.edits import redescribed
 
     other = None
     for cid, what, edit in _edits(structure, problem):
@@ -44,7 +44,7 @@ def _simpler(structure: Structure, problem: ResolveError) -> Structure | None:
         again = found is not None and str(found) == str(problem)  # of several that are placed so, one is left out
         if again and not (isinstance(edit, SetField) and edit.path == "placement") or found and other is not None:
             continue
-        for words in described(structure, changed):
+        for words in redescribed(structure, changed):
             changed = apply(changed, words)
         where = cid if cid in changed else "R"
         unmet = Unmet(text=what, reason=f"left out, because {problem}")

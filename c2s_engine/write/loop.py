@@ -32,7 +32,7 @@ async def improve(
     evaluate: Evaluate,
     *,
     client: OllamaClient,
-    embedded: Any,
+    reader: Any,
     on_event: Callable[[Progress], None] | None = None,
     rounds: int = ROUNDS,
 ) -> Outcome:
@@ -42,7 +42,7 @@ async def improve(
         if not best.differences:
             break
         try:
-            edits = await mend(best.differences, best.structure, client=client, embedded=embedded, on_event=on_event)
+            edits = await mend(best.differences, best.structure, client=client, reader=reader, on_event=on_event)
             if not edits:
                 break
             changed = best.structure

@@ -1,6 +1,6 @@
 """Methods by name, behind one face: a text is interpreted to S, and S is written as a program.
 
-embedded, reader (the learned reader), typed, mixed, prompted (C11 with repair; rendered where that fails),
+reader (the learned reader), typed, mixed, prompted (C11 with repair; rendered where that fails),
 chat2scenic:C1 ... chat2scenic:C12 (the paper's, without repair; with it: chat2scenic:C1+repair), chatscene,
 nl2scenic:zero, nl2scenic:few (also nl2scenic), nl2scenic:cot.
 """
@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from c2s_engine.config import WITHOUT_MODEL
-from c2s_engine.interpret.learned import learned
 from c2s_engine.interpret.llm.typed import Reading
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.errors import ModelNotSet
@@ -41,7 +40,7 @@ class UnknownMethod(ValueError):
 class MethodTools:
     """What methods work with. `writer` is needed by those that render specs, and only when they write."""
 
-    embedded: Any
+    reader: Any
     client: OllamaClient | None = None
     search: Search | None = None
     embed: Embed | None = None
@@ -67,17 +66,17 @@ class Method(Protocol):
     async def write(self, structure: Structure, on_event: OnEvent | None = None) -> Structure: ...
 
 
-class EmbeddedMethod:
-    """No model that has to be served: the embedded interpreter, or the learned reader."""
+class ReaderMethod:
+    """No model that has to be served: the learned reader."""
 
-    def __init__(self, tools: MethodTools, name: str) -> None:
-        self.tools, self.name = tools, name
+    name = "reader"
+
+    def __init__(self, tools: MethodTools) -> None:
+        self.tools = tools
 
     async def interpret(self, text: str, on_event: OnEvent | None = None) -> Reading:
-        if self.name == "reader":
-            found = learned(text)
-            return Reading(structure=found.structure, notes=(found.note,) if found.note else ())
-        return Reading(structure=self.tools.embedded.interpret(text).structure)
+        found = self.tools.reader.interpret(text)
+        return Reading(structure=found.structure, notes=(found.note,) if found.note else ())
 
     async def write(self, structure: Structure, on_event: OnEvent | None = None) -> Structure:
         assert self.tools.writer is not None, "a method that renders specs needs its writer"
@@ -100,7 +99,7 @@ class _Plainly:
 def names() -> list[str]:
     """Every method's name."""
     prompted = [f"chat2scenic:{c}" for c in configurations()]
-    return ["reader", "embedded", "typed", "mixed", "prompted", *prompted, "chatscene",
+    return ["reader", "typed", "mixed", "prompted", *prompted, "chatscene",
             "nl2scenic:zero", "nl2scenic:few", "nl2scenic:cot"]  # fmt: skip
 
 
@@ -128,26 +127,26 @@ def method(name: str, tools: MethodTools) -> Method:
     client = tools.client if tools.client is not None and tools.client.settings.model else None
     if client is None and needs_model(name):
         raise ModelNotSet
-    if kind in ("embedded", "reader"):
-        return EmbeddedMethod(tools, name)
+    if kind == "reader":
+        return ReaderMethod(tools)
     if kind == "chatscene":
         assert tools.search is not None, "chatscene needs a retriever"
-        return _Plainly(ChatScene(client, tools.search, tools.embedded, tools.ground), name)
+        return _Plainly(ChatScene(client, tools.search, tools.reader, tools.ground), name)
     assert client is not None
     if kind == "typed":
-        return TypedMethod(client, tools.embedded, tools.resolve, tools.writer, tools.check)
+        return TypedMethod(client, tools.reader, tools.resolve, tools.writer, tools.check)
     if kind == "nl2scenic":
         variant: Variant = next((v for v in VARIANTS if v == rest), "few")
         return _Plainly(NL2Scenic(client, tools.embed, variant, tools.ground, tools.check), name)
     repaired = kind in ("prompted", "mixed") or extra == "repair"
     prompted = PromptedMethod(
         config or default(), client, tools.search, tools.check if repaired else None,
-        embedded=tools.embedded, fix=tools.fix, ground=tools.ground,
+        reader=tools.reader, fix=tools.fix, ground=tools.ground,
     )  # fmt: skip
     if kind == "prompted":
         return WholeOrRendered(prompted, tools.check, tools.writer)
     if kind == "mixed":
         return MixedMethod(
-            TypedMethod(client, tools.embedded, tools.resolve, tools.writer, tools.check), prompted, tools.check
+            TypedMethod(client, tools.reader, tools.resolve, tools.writer, tools.check), prompted, tools.check
         )
     return _Plainly(prompted, name)

@@ -8,6 +8,7 @@ from c2s_engine.interpret.llm.typed import Reading, TypedReader
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.structure.components import Assumption, ComponentId, Structure
 from c2s_engine.structure.diagnostics import Diagnostic
+from c2s_engine.structure.objects import distinct_names, in_order
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Progress, Say
 from c2s_engine.structure.regenerate import regenerate
@@ -31,25 +32,25 @@ class TypedMethod:
     def __init__(
         self,
         client: OllamaClient,
-        embedded: Any,
+        reader: Any,
         resolve: Resolve | None = None,
         writer: TypedWriter | None = None,
         check: Check | None = None,
     ) -> None:
-        self.client, self.embedded, self.writer, self.check = client, embedded, writer, check
+        self.client, self.reader, self.writer, self.check = client, reader, writer, check
         self.resolve = resolve or _contradiction
 
     async def interpret(self, text: str, on_event: OnEvent | None = None) -> Reading:
         """What was read with the model, made to resolve: a component that stands against the others falls back."""
-        reading = await TypedReader(self.client, self.embedded, on_event).read(text)
+        reading = await TypedReader(self.client, self.reader, on_event).read(text)
         settled = await self.settle(reading)
         if on_event and settled is not reading:
             on_event(Say(text=settled.notes[-1], severity="warning"))
         return settled
 
     async def settle(self, reading: Reading) -> Reading:
-        """The reading with the fewest further fallbacks under which it resolves; at worst the embedded one."""
-        stand_in = fallback.Embedded(self.embedded, reading.structure.text)
+        """The reading with the fewest further fallbacks under which it resolves; at worst the learned reader's."""
+        stand_in = fallback.StandIn(self.reader, reading.structure.text)
         settled, problem = reading, await self.resolve(reading.structure)
         while problem is not None:
             changed = await self._one_less(settled, problem, stand_in)
@@ -59,7 +60,7 @@ class TypedMethod:
         return settled
 
     async def _one_less(
-        self, reading: Reading, problem: Diagnostic, stand_in: fallback.Embedded
+        self, reading: Reading, problem: Diagnostic, stand_in: fallback.StandIn
     ) -> tuple[Reading, Diagnostic | None] | None:
         """The reading with one component replaced so that this problem is gone; none where no single one does it."""
         best = None
@@ -69,7 +70,7 @@ class TypedMethod:
             if found is not None and found.message == problem.message:
                 continue
             fallbacks = {**reading.fallbacks, cid: problem.message}
-            note = f"{cid}: read by the embedded interpreter instead of the model. {problem.message}."
+            note = f"{cid}: read by the learned reader instead of the model. {problem.message}."
             changed = Reading(structure=structure, fallbacks=fallbacks, notes=(*reading.notes, note))
             if found is None:
                 return changed, None
@@ -86,7 +87,7 @@ class TypedMethod:
         written = regenerate(structure, [], self.writer)[0]
         if self.check is None or not structure.text or structure.ego.code:
             return written
-        stand_in = fallback.Embedded(self.embedded, structure.text)
+        stand_in = fallback.StandIn(self.reader, structure.text)
         tried: set[ComponentId] = set()
         while (problem := await self._unsampled(written)) is not None:
             marked = {c.id for c in written.components if any(a.field == "*" for a in c.assumed)}
@@ -102,7 +103,7 @@ class TypedMethod:
 
     def _written(self, structure: Structure, problem: Diagnostic, which: str, on_event: OnEvent | None) -> Structure:
         if on_event:
-            text = f"{which}: read by the embedded interpreter instead of the model. {problem.message}."
+            text = f"{which}: read by the learned reader instead of the model. {problem.message}."
             on_event(Say(text=text, severity="warning"))
         assert self.writer is not None
         return regenerate(structure, [], self.writer)[0]
@@ -115,7 +116,7 @@ class TypedMethod:
 
 
 TRIES = 3
-"""Components that fall back one by one because no scene is found, before the whole text is read by the embedded way."""
+"""Components that fall back one by one because no scene is found, before the learned reader reads the whole text."""
 
 
 async def _contradiction(structure: Structure) -> Diagnostic | None:
@@ -134,19 +135,19 @@ def _suspects(reading: Reading, problem: Diagnostic) -> list[ComponentId]:
     return [c for c in dict.fromkeys([*first, *rest]) if c not in reading.fallbacks]
 
 
-def _replaced(structure: Structure, cid: ComponentId, stand_in: fallback.Embedded, reason: str) -> Structure:
+def _replaced(structure: Structure, cid: ComponentId, stand_in: fallback.StandIn, reason: str) -> Structure:
     spec = stand_in.spec_among(cid, structure)
-    mark = Assumption(field="*", value="embedded interpreter", reason=reason)
+    mark = Assumption(field="*", value="learned reader", reason=reason)
     component = structure[cid]
     changed = component.model_copy(update={"spec": spec, "assumed": (*component.assumed, mark)})
-    return fallback.in_order(fallback.distinct_names(structure.with_component(changed)))
+    return in_order(distinct_names(structure.with_component(changed)))
 
 
 def _whole(reading: Reading, structure: Structure, problem: Diagnostic) -> Reading:
     reason = problem.message
-    mark = Assumption(field="*", value="embedded interpreter", reason=reason)
+    mark = Assumption(field="*", value="learned reader", reason=reason)
     for component in structure.components:
         structure = structure.with_component(component.model_copy(update={"assumed": (*component.assumed, mark)}))
     structure = structure.model_copy(update={"text": reading.structure.text})
-    note = f"The whole text was read by the embedded interpreter instead of the model. {reason}."
+    note = f"The whole text was read by the learned reader instead of the model. {reason}."
     return Reading(structure=structure, fallbacks=dict.fromkeys(structure.ids, reason), notes=(*reading.notes, note))

@@ -93,14 +93,14 @@ def test_an_engine_that_cannot_be_started_is_one_sentence(calls, own):
 def test_nothing_that_could_be_run_is_one_sentence(calls, own):
     own.write_text(own.read_text().replace("text: ", "text: raise "))
     said = bench("--records", own, *FAKE, code=1)
-    assert said == "no record could be run with embedded: RuntimeError: out of order\n"
+    assert said == "no record could be run with reader: RuntimeError: out of order\n"
 
 
 def test_explain_shows_each_atom_with_its_share(calls, own):
     said = bench("--records", own, "--explain", "mine-02", "--runs", 4, "--jobs", 0, *FAKE)
     assert "FAILS      0 %  weather rain" in said and "holds    100 %  lead: stop" in said
     assert "(seed 0): lead is lead\n" in said and "lead (car): 1.0 s stop" in said
-    assert "# embedded: fog" in said
+    assert "# reader: fog" in said
     assert len(calls.read_text()) == 1
 
 
@@ -128,8 +128,8 @@ def test_compare_names_records_and_atoms(calls, own, tmp_path):
 
 def test_the_papers_tables_are_printed_beside_ours(calls):
     args = ["--split", "dev", "--runs", 1, "--jobs", 0, *FAKE]
-    models = bench("table", "--models", "embedded", *args)
-    assert "| embedded | 100.00 |" in models and "| Gemini-3-Flash | 76.42 | 222.11 | 52339 |" in models
+    models = bench("table", "--models", "reader", *args)
+    assert "| reader | 100.00 |" in models and "| Gemini-3-Flash | 76.42 | 222.11 | 52339 |" in models
     tiers = bench("ablation", "--only", "C4", *args)
     assert "| C4 | yes | - | - | - | - | 100.00 |" in tiers and "| C12 (paper) | yes | yes | yes | yes | yes |" in tiers
     assert "C13 is no configuration" in bench("ablation", "--only", "C13", *args, code=1)

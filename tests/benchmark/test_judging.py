@@ -38,7 +38,7 @@ def given(folder: Path, scenario: str, judge_name: str, verdict: str, **more: ob
 def test_judges_see_the_rubric_and_no_scores(written: Path) -> None:
     text = (written / "truck" / "report.md").read_text()
     assert text.startswith("## How to judge") and TEXTS[0]["text"] in text and "it brakes hard" in text
-    assert "embedded" not in text and "equirement" not in text
+    assert "reader" not in text and "equirement" not in text
     assert (written / "truck" / "moments.png").is_file() and not list(written.rglob("*.json.gz"))
 
 

@@ -286,9 +286,7 @@ class ScriptedEngine:
         await self._wait("contradictions")
         yield Offer(component="O1", field="placement.gap", said="5 m", value="20 m", amount=20.0)
 
-    async def without_effect(
-        self, text: str, upon: Structure | None = None, read_so: Structure | None = None
-    ) -> tuple[Unmet, ...]:
+    async def without_effect(self, text: str, structure: Structure) -> tuple[Unmet, ...]:
         return self.idle
 
     def reach(self, structure: Structure, edit: Any) -> list[str]:

@@ -17,7 +17,7 @@ pytestmark = [
 
 @pytest.fixture
 async def engine():
-    async with Engine(Settings(method="embedded", map_folders=(str(TOWNS),))) as started:
+    async with Engine(Settings(map_folders=(str(TOWNS),))) as started:
         yield started
 
 

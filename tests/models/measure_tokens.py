@@ -1,6 +1,6 @@
 """`python -m tests.models.measure_tokens`: what the typed method costs on the development texts of median length.
 
-The model is a stand-in that fills the forms with the embedded reading's own fields, so that answers have the usual
+The model is a stand-in that fills the forms with the learned reader's fields, so that answers have the usual
 length. Tokens are estimated twice: four characters each, and by the WordPiece vocabulary of the embedding model, which
 has a quarter of the words of today's models and so counts too many. Only sums are printed.
 """
@@ -13,7 +13,7 @@ from typing import Any
 from tokenizers import Tokenizer
 
 from c2s_bench.records import load
-from c2s_engine.interpret import EmbeddedInterpreter
+from c2s_engine.interpret.learned import LearnedReader
 from c2s_engine.interpret.llm import interpret
 from c2s_engine.models import ModelSettings, OllamaClient, approximate_tokens
 from c2s_engine.retrieve.embedder import Embedder
@@ -63,10 +63,10 @@ async def costs() -> list[tuple[int, int]]:
     words.no_padding()
     median = statistics.median(len(r.text.split()) for r in load())
     texts = sorted((r.text for r in load(split="dev")), key=lambda t: abs(len(t.split()) - median))[:TEXTS]
-    embedded, found = EmbeddedInterpreter(), []
+    reader, found = LearnedReader(), []
     with FakeOllama() as server:
         for text in texts:
-            structure = embedded.interpret(text).structure
+            structure = reader.interpret(text).structure
             exchanged: list[str] = []
 
             def respond(request, structure=structure, exchanged=exchanged):
@@ -76,7 +76,7 @@ async def costs() -> list[tuple[int, int]]:
 
             server.respond = respond
             async with OllamaClient(ModelSettings(model="small", host=server.host, probe=False)) as client:
-                await interpret(text, client=client, embedded=embedded)
+                await interpret(text, client=client, reader=reader)
             pieces = sum(len(words.encode(t, add_special_tokens=False).ids) for t in exchanged)
             found.append((sum(map(approximate_tokens, exchanged)), pieces))
     return found

@@ -80,7 +80,7 @@ async def test_a_scenario_a_change_a_question_and_what_is_picked(server):
         assert not {"write", "run"} & {s.name for s in answered.stages}
         kept = answered.details["passages"]
         server.respond = garbage(0)
-        _, picked = await events_of(engine.say(changed.structure, "use 1", passages=kept, method="embedded", run=False))
+        _, picked = await events_of(engine.say(changed.structure, "use 1", passages=kept, method="reader", run=False))
         assert picked.ok and picked.structure.text.startswith("[UN R157, Annex 5, 4.4] Ego drives")
         assert all(c.links[-1].label == "UN R157, Annex 5, 4.4" for c in picked.structure.components)
         spans = [picked.structure.text[slice(*k.span)] for k in picked.structure["O1"].links if k.span]
@@ -118,7 +118,7 @@ async def test_cancelling_in_mid_stream_stops_the_model_and_leaves_s(server, met
     hold = threading.Event()
     server.respond = lambda request: Answer(endless('{"objects": ['), hold=hold)
     async with Engine(settings(server)) as engine:
-        _, done = await events_of(engine.generate(LEAD, method="embedded", run=False))
+        _, done = await events_of(engine.generate(LEAD, method="reader", run=False))
         before = done.structure.model_dump_json()
         events = engine.say(done.structure, "make it rain", method=method, run=False)
         waiting = asyncio.create_task(anext(events))

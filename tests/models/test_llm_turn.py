@@ -1,11 +1,11 @@
-"""Turns with a model: questions, edits, new scenarios; with a bad model, the embedded routing."""
+"""Turns with a model: questions, edits, new scenarios; with a bad model, the routing without a model."""
 
 import json
 
 import pytest
 
-from c2s_engine.interpret import turn as embedded_turn
-from c2s_engine.interpret.embedded import EmbeddedInterpreter
+from c2s_engine.interpret import turn as plain_turn
+from c2s_engine.interpret.learned import LearnedReader
 from c2s_engine.interpret.llm.schema import accepts
 from c2s_engine.interpret.llm.turn import route, turn_schema
 from c2s_engine.structure.components import Component, Structure
@@ -45,7 +45,7 @@ def model(turn: dict, **forms: dict):
 async def ask(server, client_of, text, structure=S, events=None):
     async with client_of(server) as client:
         on_event = events.append if events is not None else None
-        return await route(text, structure, client=client, embedded=EmbeddedInterpreter(), on_event=on_event)
+        return await route(text, structure, client=client, reader=LearnedReader(), on_event=on_event)
 
 
 def after(turn) -> Structure:
@@ -128,23 +128,23 @@ async def test_what_needs_no_model_asks_none(server, client_of):
 
 
 @pytest.mark.parametrize("name", BAD_NAMES)
-async def test_a_bad_model_leaves_the_embedded_routing(server, client_of, name):
+async def test_a_bad_model_leaves_the_routing_without_a_model(server, client_of, name):
     server.respond = BAD[name](0)
     events = []
     found = await ask(server, client_of, "make the lead a truck", events=events)
-    plain = embedded_turn.route("make the lead a truck", S)
+    plain = plain_turn.route("make the lead a truck", S)
     assert (found.kind, found.edits) == (plain.kind, plain.edits)
     assert "without the model" in [e.text for e in events if e.type == "say"][0]
 
 
-async def test_a_dead_server_leaves_the_embedded_routing(client_of):
+async def test_a_dead_server_leaves_the_routing_without_a_model(client_of):
     with FakeOllama() as gone:
         pass
     found = await ask(gone, client_of, "make the lead a truck")
     assert found.kind == "edit" and after(found)["O1"].spec.type == "truck"
 
 
-async def test_removing_what_others_refer_to_is_left_to_the_embedded_routing(server, client_of):
+async def test_removing_what_others_refer_to_is_left_to_the_routing_without_a_model(server, client_of):
     server.respond = model({"kind": "edit", "changes": [{"do": "remove", "component": "O4"}]})
     events = []
     await ask(server, client_of, "remove the van", events=events)

@@ -128,7 +128,7 @@ async def test_dead_host_is_said_at_once():
 
 async def test_no_model_chosen():
     async with OllamaClient(ModelSettings(host="http://127.0.0.1:9")) as client:
-        with pytest.raises(errors.ModelNotSet, match="embedded"):
+        with pytest.raises(errors.ModelNotSet, match="reader"):
             await client.chat(ASK)
 
 

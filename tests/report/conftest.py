@@ -10,5 +10,5 @@ from c2s_engine.config import Settings
 
 @pytest_asyncio.fixture(scope="module")
 async def engine() -> AsyncIterator[Engine]:
-    async with Engine(Settings(method="embedded", offers=False)) as started:
+    async with Engine(Settings(offers=False)) as started:
         yield started

@@ -20,7 +20,7 @@ class FakeEngine:
         self.waiting = asyncio.Event()
         self.stopped = 0
 
-    async def without_effect(self, text, upon=None, read_so=None):
+    async def without_effect(self, text, structure):
         return ()
 
     async def say(self, structure: Structure, text: str, **options):

@@ -184,7 +184,7 @@ def test_the_words_that_made_no_difference_can_be_asked_for(question):
             Unmet(text="with a smile", reason="S would be the same without it"))  # fmt: skip
     shown = SHOWN.model_copy(update={"details": {"without_effect": idle}})
     assert asks_for_account(question)
-    assert answered(question, shown).startswith("S would be the same without: “red”; “with a smile”.")
+    assert answered(question, shown).startswith("Nothing in S says: “red”; “with a smile”.")
 
 
 def test_what_was_not_understood_counts_the_words_without_effect():

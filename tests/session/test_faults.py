@@ -108,7 +108,7 @@ async def test_a_full_disk_is_one_sentence_and_changes_nothing(engine, session, 
 
     monkeypatch.setattr(engine.library, "working_copy", full)
     with pytest.raises(SessionError, match=r"No space left on device.*S is unchanged"):
-        await take(session.apply(SetField(component="G", path="weather", value=["rain"]), method="embedded", run=False))
+        await take(session.apply(SetField(component="G", path="weather", value=["rain"]), method="reader", run=False))
     assert whole(session) == before and session.pending is None
 
 
@@ -137,33 +137,33 @@ async def test_maps_that_cannot_be_searched_are_not_said_to_lack_the_place(engin
         raise CheckError("The driving library is broken: c2s_driving.scenic, line 7: invalid syntax.")
 
     monkeypatch.setattr(engine.check_client, "places", broken)
-    events = await take(session.apply(VAN, method="embedded", run=False))
+    events = await take(session.apply(VAN, method="reader", run=False))
     (found,) = events[-1].diagnostics
     assert found.code == "lookup" and "c2s_driving.scenic, line 7" in found.message
     assert "no map" not in found.message
 
 
 async def test_fields_that_contradict_are_kept_marked_and_said(session):
-    await take(session.say("A car drives 20 m ahead of ego in its lane at 40 km/h.", method="embedded", run=False))
+    await take(session.say("A car drives 20 m ahead of ego in its lane at 40 km/h.", method="reader", run=False))
     before = session.program.text
     edits = [SetField(component="R", path="ego_lane", value="rightmost"),
              SetField(component="O1", path="placement.position", value="right_lane")]  # fmt: skip
-    events = await take(session.apply(edits, method="embedded", run=False))
+    events = await take(session.apply(edits, method="reader", run=False))
     assert not events[-1].ok and session.program.text == before
     assert set(marked(events)) == {"R", "O1"} and "its program not updated yet (R, O1)" in warnings(events)[-1]
-    events = await take(session.apply(edits[1].model_copy(update={"value": "ahead"}), method="embedded", run=False))
+    events = await take(session.apply(edits[1].model_copy(update={"value": "ahead"}), method="reader", run=False))
     assert events[-1].ok and all(c.key for c in session.structure.components)
 
 
-@pytest.mark.parametrize("method", ["embedded", METHOD])
+@pytest.mark.parametrize("method", ["reader", METHOD])
 async def test_code_by_hand_is_kept_and_a_conflict_is_said(server, session, method):
-    if method == "embedded":
+    if method == "reader":
         told = "New scenario: a car drives 20 m ahead of ego in its lane at 40 km/h."
         await take(session.say(told, method=method, run=False))
     mine = session.structure["O1"].code.replace("new Car", "new Van") + "# mine\n"  # what another type writes anew, too
     await take(session.apply(SetCode(component="O1", code=mine), method=method, run=False))
     assert session.structure["O1"].conflict is None and "# mine" in session.program.text
-    if method != "embedded":
+    if method != "reader":
         part = EXAMPLE.fragments[3]
         other = part.model_copy(update={"code": part.code.replace("Van right", "Truck right")})
         server.respond = Programmer()

@@ -48,7 +48,6 @@ async def test_in_a_session_it_is_said_and_written(engine, tmp_path):
         text = "On a motorway with three lanes ego drives in the middle lane. A lorry in the right lane cuts in."
         [e async for e in session.say(text, run=False)]
         events = [e async for e in session.say("put a car with hazard lights on the shoulder 150 m ahead", run=False)]
-        assert [u.text for u in session.structure["O2"].unmet] == ["hazard lights"]
         events = [e async for e in session.say("move the lorry to the left lane", run=False)]
         assert any(isinstance(e, Say) and "cuts in to the right from there" in e.text for e in events)
         assert "new Truck at place.left_lane" in session.structure["O1"].code

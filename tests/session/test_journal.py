@@ -80,10 +80,10 @@ async def test_an_interrupted_turn_is_offered_and_resumed(tmp_path):
 
 async def test_what_was_sent_is_offered_also_before_its_turn_began(tmp_path):
     session = Sessions(tmp_path).open("one", FakeEngine())
-    session.note_sent("car", method="embedded")
+    session.note_sent("car", method="reader")
     session.close()
     session = Sessions(tmp_path).open("one", FakeEngine())
-    assert session.pending and (session.pending.text, session.pending.options) == ("car", {"method": "embedded"})
+    assert session.pending and (session.pending.text, session.pending.options) == ("car", {"method": "reader"})
     session.note_sent("bus")
     _ = [event async for event in session.say("bus")]
     assert session.pending is None and [o.description for o in session.structure.objects] == ["bus"]

@@ -25,7 +25,7 @@ async def engine(tmp_path):
     root.mkdir(parents=True)
     for name in ("Town07", "Town10HD"):
         (root / f"{name}.xodr").symlink_to(TOWNS / f"{name}.xodr")
-    async with Engine(Settings(method="embedded", carla_root=str(tmp_path), offers=False)) as started:
+    async with Engine(Settings(carla_root=str(tmp_path), offers=False)) as started:
         yield started
 
 

@@ -312,7 +312,7 @@ async def test_a_text_is_solved_and_says_what_was_chosen(engine):
 
 @pytest.mark.full
 async def test_settings_switch_the_search_off():
-    async with Engine(Settings(method="embedded", solve=False)) as engine:
+    async with Engine(Settings(solve=False)) as engine:
         async for event in engine.generate("A truck ahead of ego brakes hard and ego stops."):
             last = event
     assert "solve" not in [s.name for s in last.stages]

@@ -121,7 +121,7 @@ async def test_a_cancelled_call_stops_the_model_and_the_next_is_answered(serving
             with pytest.raises(asyncio.CancelledError):
                 await call
             assert await asyncio.to_thread(ollama.disconnected.wait, 10)
-            assert (await answer(client, "generate", text=LEAD, method="embedded"))["ok"]
+            assert (await answer(client, "generate", text=LEAD, method="reader"))["ok"]
         assert len(ollama.requests) == 1
 
 

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from c2s_engine import paths
-from c2s_engine.interpret.embedded import EmbeddedInterpreter
+from c2s_engine.interpret.learned import LearnedReader
 from c2s_engine.retrieve.terms import terms_of
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.diagnostics import Diagnostic
@@ -135,14 +135,14 @@ async def test_an_untold_place_is_sought_by_what_the_others_tell(server, client_
         s = s.with_component(s.place.model_copy(update={"description": ""}))
         await method.write_component(s, "R")
     assert library.asked[-1][0] == " ".join(c.description for c in (s.ego, *s.objects))[:400]
-    assert library.about[library.asked[-1][0]] == (), "without the embedded interpreter nothing else is known"
+    assert library.about[library.asked[-1][0]] == (), "without the learned reader nothing else is known"
 
 
 async def test_snippets_are_sought_by_what_a_component_is_and_does(server, client_of):
     server.respond = Programmer()
     library = Library()
     async with client_of(server, num_ctx=16384) as client:
-        method = PromptedMethod("C3", client, library, embedded=EmbeddedInterpreter())
+        method = PromptedMethod("C3", client, library, reader=LearnedReader())
         s = await method.interpret(TEXT)
         await method.write_component(s, "O1")
     assert library.about[s["O1"].description] == terms_of(s, "O1") != ()
@@ -158,7 +158,7 @@ async def test_who_reacts_to_another_is_written_after_it(server, client_of):
 
     server.respond = Programmer()
     async with client_of(server, num_ctx=16384) as client:
-        s = await PromptedMethod("C1", client, embedded=Reader()).interpret(TEXT)
+        s = await PromptedMethod("C1", client, reader=Reader()).interpret(TEXT)
     assert [o.id for o in s.objects] == ["O2", "O1"]
 
 

@@ -6,7 +6,7 @@ import re
 import pytest
 
 from c2s_engine import paths
-from c2s_engine.interpret.embedded import EmbeddedInterpreter
+from c2s_engine.interpret.learned import LearnedReader
 from c2s_engine.models import ModelSettings, OllamaClient, errors
 from c2s_engine.session.places import resolve
 from c2s_engine.structure.components import Structure
@@ -56,7 +56,7 @@ def _words(text: str) -> set[str]:
 
 
 def tools(client=None, **more) -> MethodTools:
-    return MethodTools(embedded=EmbeddedInterpreter(), client=client, **more)
+    return MethodTools(reader=LearnedReader(), client=client, **more)
 
 
 async def program_of(name: str, text: str, given: MethodTools):
@@ -68,10 +68,10 @@ async def program_of(name: str, text: str, given: MethodTools):
 def test_every_name_makes_a_method():
     client = OllamaClient(ModelSettings(model="small", host="http://127.0.0.1:9"))
     given = tools(client, search=Library())
-    assert len(names()) == 21
+    assert len(names()) == 20
     for name in [*names(), "nl2scenic", "chat2scenic:C1+repair"]:
         assert method(name, given).name
-    for name in ("chat2scenic:C13", "embedded+repair", "magic", "nl2scenic:many"):
+    for name in ("chat2scenic:C13", "reader+repair", "magic", "nl2scenic:many"):
         with pytest.raises(UnknownMethod, match="chat2scenic:C11"):
             method(name, given)
 

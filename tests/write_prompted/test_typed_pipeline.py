@@ -2,7 +2,7 @@
 
 import pytest
 
-from c2s_engine.interpret.embedded import EmbeddedInterpreter
+from c2s_engine.interpret.learned import LearnedReader
 from c2s_engine.interpret.llm.typed import share_without_fallback
 from c2s_engine.maps.library import MapLibrary
 from c2s_engine.session.places import resolve
@@ -34,7 +34,7 @@ class Pipeline:
         return (await resolve(structure, self.library, self.checker)).diagnostic
 
     async def run(self, name: str, text: str, client, events: list):
-        tools = {"embedded": EmbeddedInterpreter(), "client": client, "resolve": self.resolve, "check": self.checker}
+        tools = {"reader": LearnedReader(), "client": client, "resolve": self.resolve, "check": self.checker}
         reading = await method(name, MethodTools(**tools)).interpret(text, events.append)
         found = await resolve(reading.structure, self.library, self.checker)
         assert found.writer is not None, found.diagnostic
@@ -92,5 +92,5 @@ async def test_bad_models_end_in_a_program_and_an_honest_note(server, client_of,
     notes = [e.text for e in events if isinstance(e, Say)]
     assert report.ok, [d.message for s in report.stages for d in s.diagnostics]
     assert "ego" in program.text
-    assert notes and "embedded interpreter instead of the model" in notes[0]
+    assert notes and "learned reader instead of the model" in notes[0]
     assert share_without_fallback(structure) < 0.5

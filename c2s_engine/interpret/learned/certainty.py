@@ -20,7 +20,7 @@ def certainties(answer: Answer) -> dict[tuple[str, str], float]:
         cid, colon, rest = line.partition(":")
         begin = at + len(cid) + len(colon)
         at += len(line)
-        if colon and said:
+        if colon and said and cid.strip() != "X":
             for path, start, end in _fields(cid.strip(), rest):
                 likely = math.exp(sum(p for a, b, p in said if a < begin + end and begin + start < b))
                 found.setdefault((cid.strip(), path), likely)

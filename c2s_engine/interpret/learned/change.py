@@ -17,19 +17,17 @@ from copy import deepcopy
 from dataclasses import dataclass
 from typing import Any
 
-from c2s_engine.interpret.changes import pointed
-from c2s_engine.interpret.changes.corrected import differences
-from c2s_engine.interpret.changes.in_words import in_words as worded
-from c2s_engine.interpret.changes.removal_edits import removal_edits
 from c2s_engine.interpret.learned.decoder import loaded
+from c2s_engine.interpret.learned.edits import differences, removal_edits, worded
 from c2s_engine.interpret.learned.notation import NONE, PLACEMENT, Components, parse, short
 from c2s_engine.interpret.learned.quantities import si
 from c2s_engine.interpret.learned.reader import component_of_data
 from c2s_engine.interpret.learned.units import rooms_in_seconds, with_units
-from c2s_engine.interpret.llm.fallback import distinct_names
-from c2s_engine.interpret.reading import scan
+from c2s_engine.interpret.mentions import mentions
+from c2s_engine.interpret.text import normalised
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import AddObject, Edit, EditError, SetField, apply
+from c2s_engine.structure.objects import distinct_names
 from c2s_engine.structure.sentences import sentence, with_updated_sentences
 from c2s_engine.structure.specs import ObjectSpec, Spec
 
@@ -80,10 +78,34 @@ def read_change(text: str, structure: Structure) -> Change | None:
     except ValueError:
         return None
     edits = tuple(differences(structure, after))
-    if not edits or pointed.stranger(" ".join(scan.normalised(text).split()), edits, structure):
+    if not edits or stranger(text, edits, structure):
         return None
     guess = f"; {GUESS.format(likely)}" if likely < SURE else ""
     return Change(edits, in_words(structure, after) + guess, likely)
+
+
+def stranger(text: str, edits: Sequence[Edit], structure: Structure) -> str:
+    """Whom a text is about, by its words, where it begins with a definite noun that nobody of S can be meant by, and
+    yet others would change whom it does not name; empty where there is no such one."""
+    changed_ids = {str(getattr(e, "component", "")) for e in edits}
+    named = mentions(text)
+    if not named or changed_ids & {"G", "R", "T"} or any(isinstance(e, AddObject) for e in edits):
+        return ""
+    first = named[0]
+    types = {c.id: c.spec.type for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+    fitting = {cid for m in named for cid, kind in types.items() if m.fits(kind)}
+    by_word = {cid for cid in types if re.search(rf"\b{cid}\b", text, re.IGNORECASE)}
+    known = first.type == "vehicle" or any(first.fits(kind) for kind in types.values())
+    if known or changed_ids & (fitting | by_word) or not _SUBJECT.fullmatch(normalised(text)[: first.start]):
+        return ""
+    said = " ".join(c.spec.model_dump_json() for c in structure.components)
+    noun = text[first.start : first.end]
+    return "" if noun.lower() in said or noun.lower() in structure.text.lower() else noun
+
+
+_SUBJECT = re.compile(
+    r"(?:(?:please|now|let|make|have|move|put|set|slow|remove|delete) )*(?:the|that|this) (?:[\w-]+ ){0,2}"
+)
 
 
 def changed_structure(structure: Structure, lines: Sequence[str]) -> Structure:

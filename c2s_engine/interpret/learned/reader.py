@@ -1,65 +1,72 @@
 """S of the learned model's answer in short notation; what of the answer fits no field is left out.
 
 The model is SmolLM2-135M with an adapter trained on texts with their S (benchmark/reading). It says what the text says:
-no defaults, no planner's numbers. The weather, what it leaves out of the road, and what became of each clause come
-from the embedded interpreter, which reads the whole text where the model cannot.
+no defaults, no planner's numbers. Weather, times of day, maps and blueprints, which are a catalogue's words, are found
+by table (interpret/settings.py).
 """
 
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from pydantic import ValidationError
 
-from c2s_engine.interpret import typologies
-from c2s_engine.interpret.accounting import accounted_for_given_structure
-from c2s_engine.interpret.composing import unmet
-from c2s_engine.interpret.embedded import Understood, faults, understood
-from c2s_engine.interpret.entities import fits
+from c2s_engine.interpret import language, typologies
+from c2s_engine.interpret.english import NOT_ENGLISH, is_english
+from c2s_engine.interpret.errors import InterpretError, faults
+from c2s_engine.interpret.learned.account import accounted
 from c2s_engine.interpret.learned.certainty import CERTAIN, certainties
 from c2s_engine.interpret.learned.decoder import Answer, ReaderError, loaded
-from c2s_engine.interpret.learned.grounding import grounded
 from c2s_engine.interpret.learned.notation import Components, left_out, parse
 from c2s_engine.interpret.learned.quantities import si, unit_of
+from c2s_engine.interpret.learned.rates import with_rates
 from c2s_engine.interpret.learned.units import rooms_in_seconds
-from c2s_engine.interpret.llm import fallback
-from c2s_engine.interpret.llm.components import link
-from c2s_engine.interpret.scene import Scene
+from c2s_engine.interpret.mentions import mentions, names_ego
+from c2s_engine.interpret.settings import Settings, detect
 from c2s_engine.structure.account import is_set
-from c2s_engine.structure.components import Assumption, Component, Structure, Unmet, field_words
+from c2s_engine.structure.components import Assumption, Component, Link, Structure, Unmet, field_words
 from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.structure.leaves import value_at
+from c2s_engine.structure.objects import distinct_names, in_order
 from c2s_engine.structure.sentences import described
 from c2s_engine.structure.shown import value_in_words
-from c2s_engine.structure.specs import SPEC_OF, AnySpec, ObjectSpec, PlaceSpec, SettingsSpec
+from c2s_engine.structure.specs import SPEC_OF, AnySpec, ObjectSpec, SettingsSpec
+from c2s_engine.structure.vocabulary import ON_FOOT, VEHICLES
 
-MOST_WORDS = 80
-"""Words of the longest texts that it was trained on, but for one in a hundred."""
+MOST_WORDS = 300
+"""Words of a text that are read; the rest is listed as not understood. Few of those that it was trained on have more
+than 80."""
 NOT_USED = "the learned reader's words for it fit no field"
-TOO_LONG = f"The text has more than the {MOST_WORDS} words that the learned reader can read"
-NO_SCENARIO = "The learned reader's answer is no scenario"
+BEYOND = f"only the first {MOST_WORDS} words are read"
+EMPTY = "The text is empty: describe a driving scene, for example “a car cuts in ahead of ego”."
+NO_SCENARIO = (
+    "This describes no driving scenario: name in English the vehicles or people, where they are and what they do."
+)
 CHECK = "The learned reader is not sure of {}: compare S with the text."
 NAMED = 4
 """Fields that are named of those that it is not sure of; S marks all."""
-GUESSED = "the learned reader is {:.0%} sure of it"
-PASSED_OVER = "no field of S says it"
-ALIKE = (("road", "straight"), ("straight", "road"), ("road", "curve"))
-"""Kinds of place, the model's and the interpreter's, that can both be meant: the more special one is."""
-INSTEAD = "{}: the embedded interpreter read the text instead."
+GUESSED = "read with a certainty of {:.0%}"
 _LENGTHS = ("gap", "spacing", "distance", "lateral", "clearance")
 _UNITS = {**dict.fromkeys(_LENGTHS, "m"), "speed": "m/s", "rate": "m/s2", "duration": "s", "delay": "s", "arrives": "s"}
+MOVERS = (*VEHICLES, *ON_FOOT)
 _REFERENCES = ("of", "target", "react_to", "hidden_by", "subject", "other")
 
 
 @dataclass(frozen=True)
 class Read:
-    """S of a text, with the model's answer; `note`: why the embedded interpreter read it instead, or that
-    S is to be looked at; empty where nothing is to be said."""
+    """S of a text, with the model's answer; `note`: that S is to be looked at; empty where nothing is to be said."""
 
     structure: Structure
-    answer: Answer | None = None
+    answer: Answer
     note: str = ""
+
+
+class LearnedReader:
+    """Reads driving scenarios, for whoever takes a reader."""
+
+    def interpret(self, text: str) -> Read:
+        """As `learned`."""
+        return learned(text)
 
 
 def asked(text: str) -> str:
@@ -68,24 +75,53 @@ def asked(text: str) -> str:
 
 
 def learned(text: str) -> Read:
-    """S of a text; raises what the embedded interpreter raises."""
-    found = understood(text)
-    own = found.on_the_text(found.structure)
-    if typologies.named(text):  # the name of a crash type stands for a text that the interpreter knows
-        return Read(own)
-    if len(text.split()) > MOST_WORDS:
-        return Read(own, note=INSTEAD.format(TOO_LONG))
+    """S of a text. Raises InterpretError where it is empty, no English or tells no driving scene, or where the model
+    cannot be asked; InterpreterFault where c2s fails."""
+    if not text.strip():
+        raise InterpretError(EMPTY)
+    if not is_english(text):
+        raise InterpretError(NOT_ENGLISH)
+    if not _of_the_road(text):
+        raise InterpretError(NO_SCENARIO)
+    words = list(re.finditer(r"\S+", text))
+    told = text[: words[MOST_WORDS].start()] if len(words) > MOST_WORDS else text
+    named = typologies.meant(told)
     try:
-        answer = loaded().answer(asked(text))
+        answer = loaded().answer(asked(named[0] if named else told))
     except ReaderError as error:
-        return Read(own, note=INSTEAD.format(error))
+        raise InterpretError(f"{error}.") from None
     with faults():
-        structure = reading(answer.text, found)
-    if structure is None:
-        return Read(own, answer, INSTEAD.format(NO_SCENARIO))
-    structure, guesses = with_guesses(structure, answer)
+        structure = reading(answer.text, told, named[1] if named else None)
+        if structure is None or not _tells(structure, told):
+            raise InterpretError(NO_SCENARIO)
+        if told != text:
+            rest = Unmet(text=text[len(told) :][:200], reason=BEYOND, span=(len(told), len(text)))
+            update = {"text": text, "not_understood": (*structure.not_understood, rest)}
+            structure = structure.model_copy(update=update)
+        structure, guesses = with_guesses(structure, answer)
     more = f" and {len(guesses) - NAMED} more" if len(guesses) > NAMED else ""
     return Read(structure, answer, CHECK.format(", ".join(guesses[:NAMED]) + more) if guesses else "")
+
+
+def _of_the_road(text: str) -> bool:
+    """Whether a text has a word that only a scene of the road has, or speaks of ego and another road user."""
+    words = _words(text)
+    named = mentions(text)
+    return bool(words & set(language.table("trade")["road"])) or len(named) + names_ego(text) > 1 or (
+        bool(named) and len(words) <= 8 or typologies.meant(text) is not None
+    )
+
+
+def _words(text: str) -> set[str]:
+    return set(re.findall(r"[a-z-]+", text.lower()))
+
+
+def _tells(structure: Structure, text: str) -> bool:
+    """Whether S tells of anybody who moves or does something, or the text of the road."""
+    ego = structure.ego.spec.model_dump(exclude_defaults=True, exclude={"component", "model"})
+    movers = [o for o in structure.objects if isinstance(o.spec, ObjectSpec) and o.spec.type in MOVERS]
+    place = structure.place.spec.model_dump(exclude_defaults=True, exclude={"component"})
+    return bool(ego or movers or place or _words(text) & set(language.table("trade")["road"]))
 
 
 def with_guesses(structure: Structure, answer: Answer) -> tuple[Structure, list[str]]:
@@ -103,93 +139,30 @@ def with_guesses(structure: Structure, answer: Answer) -> tuple[Structure, list[
     return structure, said
 
 
-def reading(answer: str, found: Understood) -> Structure | None:
-    """S of a text by the model's answer, with what became of each clause; None where the answer is no scenario."""
-    components = parse(rooms_in_seconds(answer, found.mended.text))
+def reading(answer: str, text: str, named: tuple[int, int] | None = None) -> Structure | None:
+    """S of a text by the model's answer, with what became of each clause; None where the answer is no scenario.
+    `named`: where the name of a crash type stands that the text only is."""
+    components = parse(rooms_in_seconds(answer, text))
     if not components.keys() & {"E", "R"}:
         return None
-    scene = found.scene
-    structure = _with_surroundings(structure_of(components, found.mended.text), found.structure)
-    theirs, scene.ids = scene.ids, grounded(scene, structure)
-    pairs = [(found.structure[_id(theirs[e])], cid) for e, cid in scene.ids.items() if e in theirs]
-    structure = described(_with_rates(structure, [(own, _id(cid)) for own, cid in pairs]))
-    structure = _with_others(scene, _with_untold(found, structure))
-    structure = accounted_for_given_structure(scene, structure, found.mended.text)
+    settings = detect(text)
+    structure = described(_with_settings(structure_of(components, text), settings))
+    if named is None:
+        return with_rates(accounted(structure, settings, left_out(answer)))
+    link = Link(kind="text", label=text[slice(*named)], span=named)
     for component in structure.components:
-        if component.id in components and not component.links:
-            links = link(structure.text, component.description)
-            structure = structure.with_component(component.model_copy(update={"links": links}))
-    return _with_left_out(found.on_the_text(structure), left_out(answer))
-
-
-def _id(name: str) -> str:
-    """The id of the component of whom S calls so."""
-    return "E" if name == "ego" else name
-
-
-def _with_rates(structure: Structure, pairs: list[tuple[Component, str]]) -> Structure:
-    """S with how hard somebody brakes ("hard", "gently") as the interpreter has read it, where the model left that
-    open; `pairs`: the interpreter's components and the ids of the same in S."""
-    for theirs, cid in pairs:
-        rates = {p.action: p.rate for p in getattr(theirs.spec, "phases", ()) if p.rate is not None}
-        phases = getattr(structure[cid].spec, "phases", ())
-        filled = [p.model_copy(update={"rate": rates[p.action]}) if p.rate is None and p.action in rates else p
-                  for p in phases]  # fmt: skip
-        structure = structure.with_spec(cid, phases=tuple(filled))
+        structure = structure.with_component(component.model_copy(update={"links": (link,)}))
     return structure
 
 
-def _with_untold(found: Understood, structure: Structure) -> Structure:
-    """S with what the text tells and no spec can say, each with whom it is about."""
-    for owner, note in unmet.find(found.scene):
-        cid = owner if isinstance(owner, str) else _id(found.scene.ids.get(owner, "E"))
-        component = structure[cid]
-        structure = structure.with_component(component.model_copy(update={"unmet": (*component.unmet, note)}))
-    return structure
-
-
-def _with_left_out(structure: Structure, phrases: Sequence[str]) -> Structure:
-    """S with the phrases of its text that the model says to be in no component, where they are not noted yet."""
-    known = [u.span for u in (*structure.not_understood, *structure.background) if u.span]
-    known += [u.span for c in structure.components for u in c.unmet if u.span]
-    notes = []
-    for phrase in phrases:
-        found = re.search(r"\s+".join(map(re.escape, phrase.split())), structure.text, re.IGNORECASE)
-        if found and not any(a < found.end() and found.start() < b for a, b in known):
-            notes.append(Unmet(text=found[0], reason=PASSED_OVER, span=found.span()))
-    return structure.model_copy(update={"not_understood": (*structure.not_understood, *notes)})
-
-
-def _with_others(scene: Scene, structure: Structure) -> Structure:
-    """S with a note where somebody is of another type in it than the text's word for it."""
-    for entity, cid in scene.ids.items():
-        spec = structure[cid].spec if not entity.ego else None
-        if isinstance(spec, ObjectSpec) and spec.type not in (entity.type, entity.noun) and not fits(entity, spec.type):
-            at = entity.mentions[0]
-            reason = f"in S it is a {spec.type.replace('_', ' ')}"
-            note = Unmet(text=scene.text[at.start : at.end], reason=reason, span=(at.start, at.end))
-            component = structure[cid]
-            structure = structure.with_component(component.model_copy(update={"unmet": (*component.unmet, note)}))
-    return structure
-
-
-def _with_surroundings(structure: Structure, theirs: Structure) -> Structure:
-    """S with the other reading's weather and map, and with what that one knows of the same kind of place beyond it."""
-    place, other = structure.place.spec, theirs.place.spec
-    assert isinstance(place, PlaceSpec) and isinstance(other, PlaceSpec)
-    more: dict[str, Any] = {}
-    if (place.kind, other.kind) in ALIKE or place.kind == other.kind:
-        fields = (name for name in PlaceSpec.model_fields if name not in ("component", "kind"))
-        more = {name: getattr(other, name) for name in fields if getattr(place, name) is None}
-        more["kind"] = other.kind if place.kind == "road" else place.kind
-    filled = structure.place.model_copy(update={"spec": place.model_copy(update=more)})
-    own, read = structure.settings.spec, theirs.settings.spec
-    assert isinstance(own, SettingsSpec) and isinstance(read, SettingsSpec)
-    dark = read.time if read.time != "day" else None
-    told = {"time": own.time or dark, "light": own.light, "light_changes": own.light_changes or read.light_changes}
-    spec = read.model_copy(update={**told, "weather": read.weather or own.weather})
-    settings = structure.settings.model_copy(update={"spec": spec})
-    return described(structure.with_component(filled).with_component(settings))
+def _with_settings(structure: Structure, found: Settings) -> Structure:
+    """S with what was found of settings: of the weather before what the model says, of the time where it says none."""
+    own, told = structure.settings.spec, found.spec()
+    assert isinstance(own, SettingsSpec)
+    update: dict[str, Any] = {"time": own.time or told.time, "weather": told.weather or own.weather, "map": told.map,
+                              "preset": told.preset}  # fmt: skip
+    structure = structure.with_spec("G", **update)
+    return structure.with_spec("E", model=found.model.value) if found.model else structure
 
 
 def structure_of(components: Components, text: str) -> Structure:
@@ -203,7 +176,7 @@ def structure_of(components: Components, text: str) -> Structure:
         text=text, settings=found["G"], place=found["R"], ego=found["E"],
         objects=tuple(found[cid] for cid in objects), restrictions=found["T"],
     )  # fmt: skip
-    return described(fallback.in_order(fallback.distinct_names(structure)))
+    return described(in_order(distinct_names(structure)))
 
 
 def component_of_data(cid: str, data: dict[str, Any], ids: set[str], speeds: dict[str, Any]) -> Component:

@@ -21,6 +21,17 @@ LEFT_OUT = ("component", "later", "model", "preset", "parameters", "map")
 _TOLD = re.compile(r"\b(\d+(?:\.\d+)?)[\s-]*([a-zA-Z/²]+[23]?)")
 
 
+def quantities(text: str) -> list[tuple[tuple[int, int], float, str]]:
+    """The quantities of a text: where each stands, its SI value and unit."""
+    found = []
+    for match in _TOLD.finditer(text):
+        unit = WORDS.get(match[2], match[2])
+        if unit in UNITS:
+            in_si = next(name for name, units in DIMENSIONS.items() if unit in units)
+            found.append((match.span(), float(si(f"{match[1]}{unit}")), in_si))
+    return found
+
+
 def _told(text: str) -> list[str]:
     """The quantities of a text, as "30 mph"."""
     return [f"{number} {unit}" for number, word in _TOLD.findall(text) if (unit := WORDS.get(word, word)) in UNITS]

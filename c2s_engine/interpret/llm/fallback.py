@@ -1,19 +1,19 @@
-"""The embedded interpreter's answer for single components of a reading that a model began."""
+"""The learned reader's answer for single components of a reading that a model began."""
 
-import keyword
 import re
 from functools import cached_property
 from typing import Any
 
 from c2s_engine.interpret.llm import words
 from c2s_engine.interpret.llm.components import ObjectSentence, Sentences
-from c2s_engine.structure.components import Component, Structure, Unmet
+from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import _REFERENCE_FIELDS
+from c2s_engine.structure.objects import object_spec
 from c2s_engine.structure.specs import AnySpec, ObjectSpec
 
 
-class Embedded:
-    """The embedded reading of a text, made when first needed."""
+class StandIn:
+    """The learned reader's reading of a text, made when first needed."""
 
     def __init__(self, interpreter: Any, text: str) -> None:
         self.interpreter = interpreter
@@ -21,11 +21,11 @@ class Embedded:
 
     @cached_property
     def structure(self) -> Structure:
-        """The embedded reading; an empty S where the embedded interpreter refuses the text."""
+        """The learned reader's reading; an empty S where the learned reader refuses the text."""
         return self._read(self.text)
 
     def strict(self) -> Structure:
-        """The embedded reading; what the embedded interpreter raises passes through."""
+        """The learned reader's reading; what the learned reader raises passes through."""
         found = self.interpreter.interpret(self.text)
         return getattr(found, "structure", found)
 
@@ -54,7 +54,7 @@ class Embedded:
         return renumbered(found, {"ego": "ego", **{mine: theirs for theirs, mine in ids.items()}})
 
     def _partners(self, sentences: Sentences) -> dict[str, Component]:
-        """Which embedded object is which of the model's: the likest first, by type and words in common."""
+        """Which reader object is which of the model's: the likest first, by type and words in common."""
         pairs = [
             (_likeness(wanted.type, wanted.sentence, their), -i, -j)
             for i, wanted in enumerate(sentences.objects)
@@ -104,53 +104,6 @@ def renumbered(spec: AnySpec, ids: dict[str, str]) -> AnySpec:
 def without_references(spec: AnySpec) -> AnySpec:
     """The spec with its references to other objects left out."""
     return renumbered(spec, {"ego": "ego"})
-
-
-def object_spec(component: Component) -> ObjectSpec:
-    """The spec of an object's component."""
-    assert isinstance(component.spec, ObjectSpec)
-    return component.spec
-
-
-def distinct_names(structure: Structure) -> Structure:
-    """The objects' names in the program made distinct: a model may call two of them `car`."""
-    taken = {"ego"}
-    for component in structure.objects:
-        name, number = object_spec(component).name, 2
-        while name in taken or keyword.iskeyword(name):
-            name, number = f"{object_spec(component).name}{number}", number + 1
-        taken.add(name)
-        if name != object_spec(component).name:
-            spec = object_spec(component).model_copy(update={"name": name})
-            structure = structure.with_component(component.model_copy(update={"spec": spec}))
-    return structure
-
-
-def in_order(structure: Structure) -> Structure:
-    """The objects so that each follows those that place or hide it; where no order does, hiding gives way."""
-    left = list(structure.objects)
-    done: list[Component] = []
-    while left:
-        placed = {"ego", *(o.id for o in done)}
-        free = next((o for o in left if _rests_on(o) <= placed | {o.id}), None)
-        if free is None:
-            free = next((o for o in left if object_spec(o).placement.of in placed), left[0])
-            hidden = Unmet(text=free.description, reason="objects hide each other in a circle")
-            update = (
-                {"hidden_by": None} if object_spec(free).placement.of in placed else {"hidden_by": None, "of": "ego"}
-            )
-            spec = object_spec(free).model_copy(
-                update={"placement": object_spec(free).placement.model_copy(update=update)}
-            )
-            left[left.index(free)] = free = free.model_copy(update={"spec": spec, "unmet": (*free.unmet, hidden)})
-        left.remove(free)
-        done.append(free)
-    return structure.model_copy(update={"objects": tuple(done)})
-
-
-def _rests_on(component: Component) -> set[str]:
-    placement = object_spec(component).placement
-    return {placement.of, *([placement.hidden_by] if placement.hidden_by else [])}
 
 
 _GONE = object()

@@ -1,12 +1,12 @@
 """Turns of the chat with a model: what a turn asks for, and its changes as edits of S, each component's spec by form.
 
-What needs no model (undo, redo, no S yet) is decided without one; where it fails, the embedded routing decides.
+What needs no model (undo, redo, no S yet) is decided without one; where it fails, the routing without a model decides.
 """
 
 from collections.abc import Sequence
 from typing import Any, get_args
 
-from c2s_engine.interpret import turn as embedded_turn
+from c2s_engine.interpret import turn as plain_turn
 from c2s_engine.interpret.llm import fallback, rendered_sentences
 from c2s_engine.interpret.llm.asking import Asker, OnEvent, prompt
 from c2s_engine.interpret.llm.components import ObjectSentence, Sentences
@@ -20,6 +20,7 @@ from c2s_engine.models.errors import ModelError
 from c2s_engine.structure import vocabulary as v
 from c2s_engine.structure.components import Component, Structure, Unmet
 from c2s_engine.structure.edits import AddObject, Edit, EditError, RemoveObject, SetSpec, apply
+from c2s_engine.structure.objects import object_spec
 from c2s_engine.structure.progress import Say
 from c2s_engine.structure.specs import SPEC_OF, AnySpec, ObjectSpec
 
@@ -31,14 +32,14 @@ async def route(
     structure: Structure | None,
     *,
     client: OllamaClient,
-    embedded: Any,
+    reader: Any,
     plain: Any = None,
     on_event: OnEvent | None = None,
 ) -> Turn:
     """What a turn asks for; never raises ModelError. S is not changed: the edits are.
 
-    `plain`: what the embedded routing says (kind, edits, reply), where that was asked already."""
-    plain = plain or embedded_turn.route(text, structure)
+    `plain`: what the routing without a model says (kind, edits, reply), where that was asked already."""
+    plain = plain or plain_turn.route(text, structure)
     if structure is None or plain.kind in ("undo", "redo") or plain.kind == "scenario" and not structure.text:
         return plain
     asker = Asker(client, on_event)
@@ -49,7 +50,7 @@ async def route(
         kind = KINDS[found["kind"]]
         if kind != "edit":
             return Turn(kind, span=(0, len(text)))
-        edits, said = await _edits(found["changes"], structure, client, embedded, on_event)
+        edits, said = await _edits(found["changes"], structure, client, reader, on_event)
     except (ModelError, EditError) as error:
         if on_event:
             on_event(Say(text=f"The turn was read without the model. {error}", severity="warning"))
@@ -62,7 +63,7 @@ async def mend(
     structure: Structure,
     *,
     client: OllamaClient,
-    embedded: Any,
+    reader: Any,
     on_event: OnEvent | None = None,
 ) -> list[Edit]:
     """Edits of S by which a run would show what it says, for what it did not show; raises ModelError, EditError."""
@@ -73,7 +74,7 @@ async def mend(
     )
     if found["kind"] != "edit":
         return []
-    return (await _edits(found["changes"], structure, client, embedded, on_event))[0]
+    return (await _edits(found["changes"], structure, client, reader, on_event))[0]
 
 
 def turn_schema(structure: Structure) -> dict[str, Any]:
@@ -123,19 +124,19 @@ def _sensible(found: dict[str, Any]) -> dict[str, Any]:
 
 
 async def _edits(
-    changes: list[dict[str, Any]], structure: Structure, client: OllamaClient, embedded: Any, on_event: OnEvent | None
+    changes: list[dict[str, Any]], structure: Structure, client: OllamaClient, reader: Any, on_event: OnEvent | None
 ) -> tuple[list[Edit], list[str]]:
     """The edits of a turn's changes, and what they do in words; raises ModelError or EditError."""
     edits: list[Edit] = []
     said: list[str] = []
-    reader = Forms(client, embedded, on_event)
+    forms = Forms(client, reader, on_event)
     for change in changes:
         cid, sentence = change.get("component", ""), change.get("sentence", "").strip()
         if change["do"] == "add":
             cid = structure.next_object_id()
             added = ObjectSpec(type=change.get("type", "car"), name=change.get("type", "car"))
             structure = apply(structure, AddObject(spec=added, description=sentence, component=cid))
-            spec, unmet = await reader.spec(cid, sentence, structure)
+            spec, unmet = await forms.spec(cid, sentence, structure)
             made, unmet = _rendered_sentence(cid, sentence, spec, unmet, structure)
             edit: Edit = AddObject(spec=spec, description=made, component=cid)
             said.append(f"{cid} added: {sentence}")
@@ -145,7 +146,7 @@ async def _edits(
             structure = apply(structure, edit)
         else:
             kept = change["do"] == "change"
-            spec, unmet = (await reader.spec(cid, sentence, structure)) if kept else (SPEC_OF[cid[0]](), ())
+            spec, unmet = (await forms.spec(cid, sentence, structure)) if kept else (SPEC_OF[cid[0]](), ())
             made, unmet = _rendered_sentence(cid, sentence, spec, unmet, structure) if kept else ("", ())
             edit = SetSpec(component=cid, spec=spec, description=made, assumed=(), unmet=unmet)
             said.append(f"{cid}: {sentence}" if kept else f"{cid}: nothing is said of it any more")
@@ -166,9 +167,8 @@ def _rendered_sentence(
 class Forms:
     """Single components of an S read with a model."""
 
-    def __init__(self, client: OllamaClient, embedded: Any, on_event: OnEvent | None = None) -> None:
-        self.reader = TypedReader(client, embedded, on_event)
-        self.embedded = embedded
+    def __init__(self, client: OllamaClient, reader: Any, on_event: OnEvent | None = None) -> None:
+        self.reader = TypedReader(client, reader, on_event)
 
     async def spec(self, cid: str, sentence: str, structure: Structure) -> tuple[Any, tuple]:
         """The spec of a sentence for a component of an S, and what is unmet; raises ModelError."""
@@ -192,7 +192,7 @@ def numbered(structure: Structure, cid: str, sentence: str) -> tuple[Sentences, 
     def said(component: Component) -> str:
         return sentence if component.id == cid else component.description
 
-    kinds = [fallback.object_spec(o).type for o in structure.objects]
+    kinds = [object_spec(o).type for o in structure.objects]
     objects = tuple(
         ObjectSentence(type=kind, sentence=said(o) or kind) for kind, o in zip(kinds, structure.objects, strict=True)
     )

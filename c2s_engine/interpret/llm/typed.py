@@ -1,6 +1,6 @@
 """The typed way: the text into components, then each component's spec, every answer held to a JSON schema.
 
-Where an answer cannot be used, the embedded interpreter's answer for that component stands in: marked in `assumed`,
+Where an answer cannot be used, the learned reader's answer for that component stands in: marked in `assumed`,
 counted in `fallbacks`, said in `notes`. Whatever the model answers, the result is a valid S.
 """
 
@@ -20,20 +20,21 @@ from c2s_engine.interpret.llm.units import annotate
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.errors import ModelError
 from c2s_engine.structure.components import Assumption, Component, Structure, Unmet
+from c2s_engine.structure.objects import distinct_names, in_order
 from c2s_engine.structure.progress import Say
 from c2s_engine.structure.specs import SPEC_OF, AnySpec, EgoSpec, SettingsSpec
 
 _KINDS = {"G": "settings", "R": "place", "E": "ego", "T": "restrictions"}
 
 
-class Embedded(Protocol):
-    """The embedded interpreter, or whatever answers a text with something that has a `structure`."""
+class Reads(Protocol):
+    """The learned reader, or whatever answers a text with something that has a `structure`."""
 
     def interpret(self, text: str) -> Any: ...
 
 
 class Reading(BaseModel):
-    """What was understood with a model. `fallbacks`: component -> why the embedded answer stands there."""
+    """What was understood with a model. `fallbacks`: component -> why the learned reader's answer stands there."""
 
     model_config = ConfigDict(frozen=True)
 
@@ -51,31 +52,31 @@ async def interpret(
     text: str,
     *,
     client: OllamaClient,
-    embedded: Embedded,
+    reader: Reads,
     on_event: OnEvent | None = None,
 ) -> Reading:
     """S for a text; never raises ModelError (what went wrong is in `notes`).
 
-    Where no answer of the model can be used and the embedded interpreter refuses the text, its refusal is raised.
+    Where no answer of the model can be used and the learned reader refuses the text, its refusal is raised.
     """
-    return await TypedReader(client, embedded, on_event).read(text)
+    return await TypedReader(client, reader, on_event).read(text)
 
 
 class TypedReader:
     """Reads one text."""
 
-    def __init__(self, client: OllamaClient, embedded: Embedded, on_event: OnEvent | None = None) -> None:
+    def __init__(self, client: OllamaClient, reader: Reads, on_event: OnEvent | None = None) -> None:
         self.asker = Asker(client, on_event)
-        self.embedded = embedded
+        self.reader = reader
         self.on_event = on_event
 
     async def read(self, text: str) -> Reading:
         """The whole text into S."""
-        stand_in = fallback.Embedded(self.embedded, text)
+        stand_in = fallback.StandIn(self.reader, text)
         try:
             sentences = await read_components(text, self.asker, strict=True)
         except ModelError as error:
-            return self._all_embedded(text, stand_in.strict(), str(error))
+            return self._all_stand_in(text, stand_in.strict(), str(error))
         structure = Structure(text=text)
         fallbacks: dict[str, str] = {}
         components: dict[str, Component] = {}
@@ -104,7 +105,7 @@ class TypedReader:
             text=text, settings=components["G"], place=components["R"], ego=components["E"], objects=objects,
             restrictions=components["T"],
         )  # fmt: skip
-        structure = fallback.in_order(fallback.distinct_names(structure))
+        structure = in_order(distinct_names(structure))
         said = {cid: sentences.of(cid) for cid in sentences.ids}
         return self._done(rendered_sentences.with_rendered_sentences(structure, said), fallbacks)
 
@@ -112,16 +113,16 @@ class TypedReader:
         notes: tuple[str, ...] = ()
         if fallbacks:
             which, reason = ", ".join(fallbacks), next(iter(fallbacks.values()))
-            notes = (f"{which}: read by the embedded interpreter instead of the model. {reason}",)
+            notes = (f"{which}: read by the learned reader instead of the model. {reason}",)
         self._say(notes)
         return Reading(structure=structure, fallbacks=fallbacks, notes=notes)
 
-    def _all_embedded(self, text: str, structure: Structure, reason: str) -> Reading:
+    def _all_stand_in(self, text: str, structure: Structure, reason: str) -> Reading:
         structure = structure.model_copy(update={"text": text})
         for component in structure.components:
             marked = component.model_copy(update={"assumed": (*component.assumed, _mark(reason))})
             structure = structure.with_component(marked)
-        notes = (f"The whole text was read by the embedded interpreter instead of the model. {reason}",)
+        notes = (f"The whole text was read by the learned reader instead of the model. {reason}",)
         self._say(notes)
         return Reading(structure=structure, fallbacks=dict.fromkeys(structure.ids, reason), notes=notes)
 
@@ -204,13 +205,13 @@ def _bounds_something(limit: dict[str, Any]) -> bool:
 
 
 def share_without_fallback(structure: Structure) -> float:
-    """The share of components that no embedded answer stands in for, by the marks in `assumed`."""
+    """The share of components that no reader answer stands in for, by the marks in `assumed`."""
     marked = [c.id for c in structure.components if any(a.field == "*" for a in c.assumed)]
     return 1 - len(marked) / len(structure.components)
 
 
 def _mark(reason: str) -> Assumption:
-    return Assumption(field="*", value="embedded interpreter", reason=reason)
+    return Assumption(field="*", value="learned reader", reason=reason)
 
 
 _OF_TWO = {"distance", "visible", "not_visible", "collision"}

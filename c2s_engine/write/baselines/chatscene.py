@@ -1,6 +1,6 @@
 """Retrieve and assemble (after ChatScene): one adversary is described, the nearest snippets are taken as they are.
 
-One call extracts adversary, behaviour, geometry and position (without a model: the embedded reading's sentences). The
+One call extracts adversary, behaviour, geometry and position (without a model: the learned reader's sentences). The
 nearest place, ego and adversary of the snippet store are concatenated, unchanged; what does not fit together fails.
 """
 
@@ -47,14 +47,14 @@ class ChatScene:
     name = "chatscene"
 
     def __init__(
-        self, client: OllamaClient | None, retriever: Search, embedded: Any, ground: Ground | None = None
+        self, client: OllamaClient | None, retriever: Search, reader: Any, ground: Ground | None = None
     ) -> None:
-        self.client, self.search, self.embedded, self.ground = client, retriever, embedded, ground or Ground()
+        self.client, self.search, self.reader, self.ground = client, retriever, reader, ground or Ground()
 
     async def interpret(self, text: str, on_event: Callable[[Progress], None] | None = None) -> Structure:
-        """S with the sentences that are looked up; raises ModelError, or the embedded interpreter's refusal."""
+        """S with the sentences that are looked up; raises ModelError, or the learned reader's refusal."""
         if self.client is None:
-            return _one_adversary(self.embedded.interpret(text).structure)
+            return _one_adversary(self.reader.interpret(text).structure)
         schema = {
             "type": "object",
             "properties": {n: {"type": "string", "maxLength": 300} for n in Extract.model_fields},
@@ -64,7 +64,7 @@ class ChatScene:
         found = await Asker(self.client, on_event).form(
             fill("chatscene"), text, schema, purpose="extract", build=Extract.model_validate
         )
-        stand_in = fallback.Embedded(self.embedded, text).structure
+        stand_in = fallback.StandIn(self.reader, text).structure
         spec = stand_in.objects[0].spec if stand_in.objects else ObjectSpec()
         structure = Structure(text=text, settings=stand_in.settings, objects=(Component(id="O1", spec=spec),))
         sentences = {"R": found.geometry, "E": EGO, "O1": found.object}

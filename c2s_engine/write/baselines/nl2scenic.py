@@ -2,15 +2,16 @@
 
 import re
 from collections.abc import Awaitable, Callable, Sequence
-from typing import Literal
+from typing import Literal, get_args
 
-from c2s_engine.interpret.changes import refer
+from c2s_engine.interpret.mentions import mentions
 from c2s_engine.models.client import OllamaClient
 from c2s_engine.models.messages import question
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.progress import Progress
 from c2s_engine.structure.regenerate import digest
 from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.vocabulary import ObjectType
 from c2s_engine.write.baselines.own import with_own
 from c2s_engine.write.by_hand import GIVEN_BACK, OWN, TAKEN
 from c2s_engine.write.prompted.checking import Check, with_code
@@ -89,13 +90,20 @@ def taken_apart(structure: Structure, program: str) -> Structure:
     ids = [p.id for p in parts]
     if not _in_order(ids) or not program.lstrip().startswith("## G"):
         parts, ids = [Fragment(id="E", sentence="The whole program.", code=program)], ["E"]
-    said = {p.id: refer.first_actor_type(p.sentence) for p in parts if p.id.startswith("O")}
+    said = {p.id: _type_of(p.sentence) for p in parts if p.id.startswith("O")}
     objects = tuple(Component(id=i, spec=ObjectSpec(name=f"object{i[1:]}", type=said[i])) for i in ids if i in said)
     structure = structure.model_copy(update={"objects": objects})
     for part in parts:
         component = structure[part.id].model_copy(update={"description": part.sentence})
         structure = structure.with_component(with_code(component, part.code))
     return structure
+
+
+def _type_of(sentence: str) -> ObjectType:
+    """The type of the first object that a sentence names; a car where it names none."""
+    types: tuple[ObjectType, ...] = get_args(ObjectType)
+    named = [m.type for m in mentions(sentence)]
+    return next((kind for name in named for kind in types if kind == name), "car")
 
 
 def _stands(structure: Structure, key: str) -> bool:

@@ -16,6 +16,7 @@ from c2s_engine.models.messages import Message, Question
 from c2s_engine.retrieve.terms import terms_of
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import references
+from c2s_engine.structure.objects import distinct_names
 from c2s_engine.structure.progress import ComponentState, Passage, Progress, Say
 from c2s_engine.structure.regenerate import code_references, dirty, key_of, order
 from c2s_engine.structure.specs import ObjectSpec
@@ -81,14 +82,14 @@ class PromptedMethod:
         retriever: Search | None = None,
         checker: Check | None = None,
         *,
-        embedded: Any = None,
+        reader: Any = None,
         fix: Fix | None = None,
         ground: Ground | None = None,
     ) -> None:
         self.configuration = configuration(config_id or default())
         self.client = client
         self.search = retriever
-        self.embedded = embedded
+        self.reader = reader
         self.ground = ground or Ground()
         self.name = f"chat2scenic:{self.configuration.name}"
         self.verdicts: dict[ComponentId, Verdict] = {}
@@ -110,11 +111,11 @@ class PromptedMethod:
         return await self.write(structure, on_event)
 
     async def interpret(self, text: str, on_event: OnEvent | None = None) -> Structure:
-        """The Interpreter and the SettingsDetector; specs are the embedded interpreter's, for panes and edits."""
+        """The Interpreter and the SettingsDetector; specs are the learned reader's, for panes and edits."""
         asker = Asker(self.client, on_event)
         sentences = await read_components(text, asker)
         detected = await detect(text, asker)
-        structure = _structure(text, sentences, self.embedded)
+        structure = _structure(text, sentences, self.reader)
         settings = structure.settings.model_copy(
             update={"spec": detected.spec, "assumed": detected.assumed, "unmet": detected.unmet}
         )
@@ -231,7 +232,7 @@ class PromptedMethod:
 
     async def _retrieved(self, structure: Structure, cid: ComponentId) -> tuple[list[Passage], list[Passage]]:
         """CodeICL and DocICL: what the configuration asks for, by the component's sentence; snippets also by what it is
-        and does as read by the embedded interpreter (without one, by the sentence alone)."""
+        and does as read by the learned reader (without one, by the sentence alone)."""
         config, query = self.configuration, structure[cid].description
         if cid == "R" and not query:  # the others tell what the place must have
             told = (c.description for c in (structure.ego, *structure.objects))
@@ -241,7 +242,7 @@ class PromptedMethod:
         snippets, chunks = [], []
         try:
             if config.has("CodeICL"):
-                about = terms_of(structure, cid) if self.embedded is not None else ()
+                about = terms_of(structure, cid) if self.reader is not None else ()
                 limit = WIDER * config.snippets
                 found = await self.search(query, kind="snippet", component=cid[0], limit=limit, terms=about)
                 snippets = fitted(found, code_so_far(structure, cid))[: config.snippets]
@@ -270,9 +271,9 @@ class PromptedMethod:
             self._on_event(event)
 
 
-def _structure(text: str, sentences: Sentences, embedded: Any) -> Structure:
-    """S of sentences; the specs are those of the embedded interpreter, where one is given."""
-    stand_in = fallback.Embedded(embedded, text) if embedded is not None else None
+def _structure(text: str, sentences: Sentences, reader: Any) -> Structure:
+    """S of sentences; the specs are those of the learned reader, where one is given."""
+    stand_in = fallback.StandIn(reader, text) if reader is not None else None
     empty = Structure(text=text)
 
     def component(cid: str) -> Component:
@@ -290,7 +291,7 @@ def _structure(text: str, sentences: Sentences, embedded: Any) -> Structure:
         text=text, settings=made["G"], place=made["R"], ego=made["E"], restrictions=made["T"],
         objects=tuple(made[c] for c in sentences.ids if c.startswith("O")),
     )  # fmt: skip
-    return _in_order(fallback.distinct_names(structure))
+    return _in_order(distinct_names(structure))
 
 
 def _in_order(structure: Structure) -> Structure:

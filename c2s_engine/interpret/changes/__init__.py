@@ -1,1 +1,0 @@
-"""What is typed to change a scene: demands become edits of S."""

@@ -1,0 +1,205 @@
+"""What in the text each field of S rests on, and what of the text S does not have.
+
+By words and numbers: a word is a component's where that says it (its type's nouns, its actions' verbs, the words of its
+values and sentence); one that several could have said is of the one that has most of its clause. What the model says
+that it left out, quantities that no field has, and clauses of which no component has a word, are not understood.
+"""
+
+import math
+import re
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
+from typing import Any
+
+import yaml
+
+from c2s_engine import paths
+from c2s_engine.interpret import language
+from c2s_engine.interpret.learned.units import quantities
+from c2s_engine.interpret.mentions import Mention, mentions
+from c2s_engine.interpret.parser import parser
+from c2s_engine.interpret.settings import Settings
+from c2s_engine.interpret.text import normalised
+from c2s_engine.structure.account import covering
+from c2s_engine.structure.components import Component, Link, Structure, Unmet
+from c2s_engine.structure.leaves import leaves
+from c2s_engine.structure.sentences import sentence
+from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.stems import stem, stems
+
+Span = tuple[int, int]
+PASSED_OVER = "no field of S says it"
+NO_VALUE = "no field of S has the value {}"
+_WORD = re.compile(r"[a-z]{2,}")
+_SHARE = {"type": 2.0, "": 0.5}
+"""What a word weighs for whom its clause is about, by the field that says it; others 1."""
+
+
+def accounted(structure: Structure, settings: Settings, left_out: Sequence[str] = ()) -> Structure:
+    """S with its links, its background and what of its text was not understood; `left_out`: phrases of the text that
+    the model said to be in no component."""
+    text, plain = structure.text, normalised(structure.text)
+    terms = {c.id: dict(_terms(c, structure)) for c in structure.components}
+    nouns = mentions(text)
+    links: dict[str, list[Link]] = defaultdict(list)
+    for cid, field, found in settings.found():
+        links[cid].append(_link(text, found.span, field))
+    missed = [*_phrases(text, left_out), *_values(structure)]
+    background: list[Unmet] = []
+    last = "R"
+    for clause in covering(text):
+        own = _of_clause(structure, plain, clause, terms, nouns)
+        for cid, field, span in own:
+            links[cid].append(_link(text, span, field))
+        about = _meets([li.span for found in links.values() for li in found if li.span and li.field], clause)
+        if not about and (reason := _topic(plain[slice(*clause)])):
+            background.append(Unmet(text=text[slice(*clause)], reason=reason, span=clause))
+        elif own:
+            last = own[-1][0]
+        elif not about and _meets([u.span for u in missed if u.span], clause):
+            continue
+        elif not about and _content(plain[slice(*clause)]):
+            missed.append(Unmet(text=text[slice(*clause)], reason=PASSED_OVER, span=clause))
+        elif not about:  # it goes on about whoever was spoken of
+            links[last].append(_link(text, clause))
+    for component in structure.components:
+        own_links = sorted(dict.fromkeys(links[component.id]), key=lambda li: li.span or (0, 0))
+        structure = structure.with_component(component.model_copy(update={"links": (*component.links, *own_links)}))
+    update = {"background": tuple(background), "not_understood": (*structure.not_understood, *missed)}
+    return structure.model_copy(update=update)
+
+
+def _of_clause(
+    structure: Structure, plain: str, clause: Span, terms: Mapping[str, Mapping[str, str]], nouns: Sequence[Mention]
+) -> list[tuple[str, str, Span]]:
+    """The words of a clause that components say: whose, of which field, where."""
+    could: list[tuple[Span, dict[str, str]]] = []
+    for noun in (n for n in nouns if clause[0] <= n.start < clause[1]):
+        fitting = {c.id: "type" for c in structure.objects if isinstance(c.spec, ObjectSpec) and noun.fits(c.spec.type)}
+        could.append(((noun.start, noun.end), fitting))
+    amounts = [((clause[0] + a, clause[0] + b), v, unit) for (a, b), v, unit in quantities(plain[slice(*clause)])]
+    taken = [*(span for span, _ in could), *(span for span, _, _ in amounts)]
+    for match in _WORD.finditer(plain, *clause):
+        word = match[0]
+        if word in _small() or _meets(taken, match.span()):
+            continue
+        could.append((match.span(), {cid: said[stem(word)] for cid, said in terms.items() if stem(word) in said}))
+    for span, value, _ in amounts:
+        fields = ((c.id, _field_of(c, value)) for c in structure.components)
+        could.append((span, {cid: field for cid, field in fields if field is not None}))
+    weight: dict[str, float] = defaultdict(float)
+    for _, whose in could:
+        for cid, field in whose.items():
+            weight[cid] += _SHARE.get(field, 1.0) / len(whose)
+    order = structure.ids
+    best = ((span, max(whose, key=lambda c: (weight[c], -order.index(c))), whose) for span, whose in could if whose)
+    return sorted((cid, whose[cid], span) for span, cid, whose in best)
+
+
+def _terms(component: Component, structure: Structure) -> Iterator[tuple[str, str]]:
+    """The stems by which a component is spoken of, each with the field that says it: later ones count."""
+    for found in stems(sentence(component, structure)) - _small_stems():
+        yield found, ""
+    if component.id == "E":
+        yield from ((word, "") for word in language.table("trade")["ego"])
+    for path, value in _values_of(component.spec.model_dump(exclude_defaults=True, exclude={"component", "name"})):
+        if value is True:
+            yield stem(path.split(".")[-1]), _whole(path)
+        if isinstance(value, str) and not re.fullmatch(r"O\d+|ego", value):
+            field = _whole(path)
+            yield from ((word, field) for word in stems(value) - _small_stems())
+            if path.endswith((".action", "reaction")):
+                yield from ((word, field) for word in _verbs().get(value, ()))
+
+
+def _values_of(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
+    if isinstance(value, dict | list | tuple):
+        items = value.items() if isinstance(value, dict) else enumerate(value)
+        for name, inner in items:
+            yield from _values_of(inner, f"{path}.{name}".lstrip("."))
+    else:
+        yield path, value
+
+
+def _field_of(component: Component, value: float) -> str | None:
+    """The field of a component that has a number."""
+    for path, held in _values_of(component.spec.model_dump(exclude_defaults=True)):
+        if isinstance(held, int | float) and not isinstance(held, bool) and _same(float(held), value):
+            return _whole(path)
+    return None
+
+
+def _whole(path: str) -> str:
+    """The field to which a value belongs: the phase that it is in, the list that it is of."""
+    return ".".join(path.split(".")[:2]) if path.startswith("phases") else re.sub(r"\.\d+$", "", path)
+
+
+def _same(held: float, value: float) -> bool:
+    return math.isclose(held, value, rel_tol=0.02, abs_tol=0.06)
+
+
+def _values(structure: Structure) -> Iterator[Unmet]:
+    """The quantities of the text that no field of S has; times also as the way that is driven in them."""
+    held = [float(n) for c in structure.components for n in leaves(c.spec.model_dump())
+            if isinstance(n, int | float) and not isinstance(n, bool)]  # fmt: skip
+    speeds = [float(n) for c in (structure.ego, *structure.objects) for n in leaves(getattr(c.spec, "speed", None))
+              if isinstance(n, int | float)]  # fmt: skip
+    for span, value, unit in quantities(structure.text):
+        ways = [value * speed for speed in speeds] if unit == "s" else []
+        if not any(_same(n, v) for n in held for v in (value, *ways)):
+            words = structure.text[slice(*span)]
+            yield Unmet(text=words, reason=NO_VALUE.format(words), span=span)
+
+
+def _phrases(text: str, left_out: Sequence[str]) -> Iterator[Unmet]:
+    for phrase in left_out:
+        found = re.search(r"\s+".join(map(re.escape, phrase.split())), text, re.IGNORECASE)
+        if found:
+            yield Unmet(text=found[0], reason=PASSED_OVER, span=found.span())
+
+
+def _topic(clause: str) -> str:
+    """Why a clause is background by what it is about; empty where it is about nothing of the kind."""
+    said = set(_WORD.findall(clause))
+    said |= {stem(word) for word in said}
+    named = bool(mentions(clause))
+    for topic in language.table("background").values():
+        if said & set(topic["words"]) or not named and said & set(topic["about"]):
+            return str(topic["reason"])
+    return ""
+
+
+def _content(clause: str) -> bool:
+    return any(word not in _small() for word in _WORD.findall(clause))
+
+
+@cache
+def _small() -> frozenset[str]:
+    """Words that are nobody's."""
+    return frozenset(parser().Defaults.stop_words) - frozenset(language.table("trade")["ego"])
+
+
+@cache
+def _small_stems() -> frozenset[str]:
+    return frozenset(map(stem, _small()))
+
+
+@cache
+def _verbs() -> dict[str, frozenset[str]]:
+    """The stems of the verbs that say an action, by the events that show it (data/vocabulary.yaml, data/asked.yaml)."""
+    shows = yaml.safe_load(paths.shipped("vocabulary.yaml").read_text(encoding="utf-8"))["actions"]
+    facts = yaml.safe_load(paths.shipped("asked.yaml").read_text(encoding="utf-8"))["facts"]
+    more = language.table("trade")["verbs"]
+    said = {name: {w for f in facts if set(f["events"]) & set(row["shows"]) for w in f["words"]}
+            for name, row in shows.items()}  # fmt: skip
+    every = {*said, *more}
+    return {name: frozenset(stem(w.split()[0]) for w in (*said.get(name, ()), *more.get(name, ()))) for name in every}
+
+
+def _link(text: str, span: Span, field: str = "") -> Link:
+    return Link(kind="text", label=text[slice(*span)], span=span, field=field)
+
+
+def _meets(spans: Sequence[Span], span: Span) -> bool:
+    return any(a < span[1] and span[0] < b for a, b in spans)

@@ -1,1 +1,0 @@
-"""First stage: words, before anybody is meant: spelling, shorthand, numbers, names, sentences, parse."""

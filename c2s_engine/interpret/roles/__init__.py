@@ -1,1 +1,0 @@
-"""Who plays which part: who is ego, who belongs to the scene."""

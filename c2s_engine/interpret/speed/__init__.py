@@ -1,1 +1,0 @@
-"""How fast: speeds, and whose each is."""

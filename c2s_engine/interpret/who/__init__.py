@@ -1,1 +1,0 @@
-"""Who is meant: mentions become entities, over sentences."""

@@ -1,0 +1,53 @@
+"""The objects of an S: their specs, their names in the program, the order in which they can be written."""
+
+import keyword
+
+from c2s_engine.structure.components import Component, Structure, Unmet
+from c2s_engine.structure.specs import ObjectSpec
+
+
+def object_spec(component: Component) -> ObjectSpec:
+    """The spec of an object's component."""
+    assert isinstance(component.spec, ObjectSpec)
+    return component.spec
+
+
+def distinct_names(structure: Structure) -> Structure:
+    """The objects' names in the program made distinct: a model may call two of them `car`."""
+    taken = {"ego"}
+    for component in structure.objects:
+        name, number = object_spec(component).name, 2
+        while name in taken or keyword.iskeyword(name):
+            name, number = f"{object_spec(component).name}{number}", number + 1
+        taken.add(name)
+        if name != object_spec(component).name:
+            spec = object_spec(component).model_copy(update={"name": name})
+            structure = structure.with_component(component.model_copy(update={"spec": spec}))
+    return structure
+
+
+def in_order(structure: Structure) -> Structure:
+    """The objects so that each follows those that place or hide it; where no order does, hiding gives way."""
+    left = list(structure.objects)
+    done: list[Component] = []
+    while left:
+        placed = {"ego", *(o.id for o in done)}
+        free = next((o for o in left if _rests_on(o) <= placed | {o.id}), None)
+        if free is None:
+            free = next((o for o in left if object_spec(o).placement.of in placed), left[0])
+            hidden = Unmet(text=free.description, reason="objects hide each other in a circle")
+            update = (
+                {"hidden_by": None} if object_spec(free).placement.of in placed else {"hidden_by": None, "of": "ego"}
+            )
+            spec = object_spec(free).model_copy(
+                update={"placement": object_spec(free).placement.model_copy(update=update)}
+            )
+            left[left.index(free)] = free = free.model_copy(update={"spec": spec, "unmet": (*free.unmet, hidden)})
+        left.remove(free)
+        done.append(free)
+    return structure.model_copy(update={"objects": tuple(done)})
+
+
+def _rests_on(component: Component) -> set[str]:
+    placement = object_spec(component).placement
+    return {placement.of, *([placement.hidden_by] if placement.hidden_by else [])}

@@ -1,0 +1,104 @@
+"""Changes by the learned model: what its lines make of S, and that answers which fit nothing change nothing."""
+
+import math
+from pathlib import Path
+
+import pytest
+import yaml
+from hypothesis import given
+from hypothesis import strategies as st
+
+from c2s_engine.interpret.learned import Answer, read_change
+from c2s_engine.interpret.learned.change import changed_structure, in_words, prompt, stranger
+from c2s_engine.interpret.learned.edits import after, differences
+from c2s_engine.interpret.learned.notation import parse
+from c2s_engine.interpret.learned.reader import structure_of
+from c2s_engine.structure.components import Assumption
+from c2s_engine.structure.edits import SetField, apply
+
+TEXT = "Ego at 50 km/h; a van in the left lane, 12 m ahead, moves over to the right."
+SAID = "R: road\nE: car speed=50km/h\nO1: van at=left_lane along=ahead gap=12m ; cut_in side=right"
+CASES = yaml.safe_load((Path(__file__).parent / "changes.yaml").read_text(encoding="utf-8"))
+
+
+LINES = [line for c in CASES for line in c["lines"]]
+
+
+@pytest.fixture
+def scene():
+    return structure_of(parse(SAID), TEXT)
+
+
+@pytest.mark.parametrize("case", CASES, ids=["; ".join(c["lines"]) for c in CASES])
+def test_lines_of_a_change(scene, case):
+    if "error" in case:
+        with pytest.raises(ValueError, match=case["error"]):
+            changed_structure(scene, case["lines"])
+        return
+    after = changed_structure(scene, case["lines"])
+    spec = after[case["of"]].spec.model_dump(mode="json", exclude_defaults=True, exclude={"component"})
+    assert spec == case["is"] and in_words(scene, after) == case["words"]
+    untouched = [c for c in scene.components if not any(line.lstrip("+-").startswith(c.id) for line in case["lines"])]
+    assert all(c == after[c.id] for c in untouched if c.id in after)
+
+
+def test_what_is_asked_leaves_out_what_the_planner_chose(scene):
+    chosen = apply(scene, SetField(component="O1", path="phases.0.gap", value=8.0))
+    note = Assumption(field="phases.0.gap", value="8 m", reason="left open", by="planner")
+    chosen = chosen.with_component(chosen["O1"].model_copy(update={"assumed": (note,)}))
+    assert prompt(chosen, "the van\nis a truck") == f"{SAID}\n> the van is a truck"
+    later = changed_structure(chosen, ["E: speed=60km/h"])
+    assert later["O1"] == chosen["O1"]
+    assert changed_structure(chosen, ["O1: ; brake"])["O1"].assumed == ()
+
+
+@pytest.mark.parametrize(("likely", "sure"), [(0.9, True), (0.5, False), (0.2, None)])
+def test_how_likely_an_answer_is_tells_whether_it_is_believed(scene, likely, sure, monkeypatch):
+    class Says:
+        def answer(self, asked):
+            return Answer("O1: speed=20km/h", 1, 1, (("O1:", -0.01), (" speed=20km/h", math.log(likely))))
+
+    monkeypatch.setattr("c2s_engine.interpret.learned.change.loaded", Says)
+    found = read_change("slower", scene)
+    assert (found is None) == (sure is None)
+    if found is not None:
+        assert [e.component for e in found.edits] == ["O1"] and ("not sure" not in found.words) == sure
+
+
+def test_none_is_no_change(scene, monkeypatch):
+    class Says:
+        def answer(self, asked):
+            return Answer("none", 1, 1, (("none", -0.1),))
+
+    monkeypatch.setattr("c2s_engine.interpret.learned.change.loaded", Says)
+    assert read_change("hello", scene).edits == ()
+
+
+@pytest.mark.parametrize("answer", ["", "O4: speed=3km/h", "O1: van at=left_lane", "O1: ; fly", "xyz"])
+def test_an_answer_that_fits_nothing_is_no_change(scene, answer, monkeypatch):
+    class Says:
+        def answer(self, asked):
+            return Answer(answer, 1, 1, ((answer, -0.1),))
+
+    monkeypatch.setattr("c2s_engine.interpret.learned.change.loaded", Says)
+    assert read_change("whatever", scene) is None
+
+
+@given(st.lists(st.sampled_from(LINES), min_size=1, max_size=4, unique=True))
+def test_differences_lead_from_one_s_to_the_other(lines):
+    scene = structure_of(parse(SAID), TEXT)
+    try:
+        wanted = changed_structure(scene, lines)
+    except ValueError:
+        return
+    found = after(scene, differences(scene, wanted))
+    assert [(c.id, c.spec) for c in found.components] == [(c.id, c.spec) for c in wanted.components]
+
+
+@pytest.mark.parametrize(("text", "who"), [
+    ("the moose brakes harder", "moose"), ("make the moose faster", "moose"), ("the van brakes", ""), ("O1 brakes", ""),
+    ("it brakes for the moose", ""), ("the vehicle ahead brakes", ""),
+])  # fmt: skip
+def test_who_is_named_and_not_there_is_not_taken_for_another(scene, text, who):
+    edits = differences(scene, changed_structure(scene, ["O1: ; brake"]))
+    assert stranger(text, edits, scene) == who

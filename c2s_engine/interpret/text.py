@@ -6,8 +6,8 @@ SAME = str.maketrans(
     "\u2018\u2019\u201b\u2032\u201c\u201d\u00a0\u2010\u2011\u2012\u2013\u2014\u2015\u2212\u202f\t",
     "''''\"\"" + " " + "------- " + " ",
 )
-_END = re.compile(r"(?<!\b[a-z])(?<!\bapprox)(?<!\bvs)[.!?]+[\"')\]]*(?=\s|$)|;|\n+", re.IGNORECASE)
-"""Where a sentence ends: no full stop of "e.g.", "approx." or "vs."."""
+_END = re.compile(r"(?<![ .][a-ln-rt-z])(?<!\bapprox)(?<!\bvs)[.!?]+[\"')\]]*(?=\s|$)|;|\n+", re.IGNORECASE)
+"""Where a sentence ends: no full stop of "e.g.", "approx." or "vs.", but one after a unit."""
 
 
 def normalised(text: str) -> str:

@@ -29,6 +29,6 @@ def test_a_run_and_a_refusal_are_told_apart():
     expected = (("brake_hard", "O1"), ("hits", "O1"))
     ran, refused = collect([Description("a", followed, expected), Description("b", "Hm.")])
     assert ran.runs and ran.missing == (("hits", "O1"),)
-    assert refused.cause.startswith("interpret") and "scene" in refused.sentence
+    assert refused.cause.startswith("interpret") and "driving scenario" in refused.sentence
     assert "| runs | 1 |" in table([ran, refused])
     assert not Outcome("c", "sample: rejected").runs

@@ -17,7 +17,7 @@ import yaml
 from c2s_engine import paths
 from c2s_engine.interpret import language
 from c2s_engine.interpret.learned.units import quantities
-from c2s_engine.interpret.mentions import Mention, mentions
+from c2s_engine.interpret.mentions import Mention, mentions, names_ego
 from c2s_engine.interpret.parser import parser
 from c2s_engine.interpret.settings import Settings
 from c2s_engine.interpret.text import normalised
@@ -35,6 +35,9 @@ _WORD = re.compile(r"[a-z]{2,}")
 _SHARE = {"type": 2.0, "": 0.5}
 """What a word weighs for whom its clause is about, by the field that says it; others 1."""
 
+LAST, STILL = 0.3, 1.5
+"""The same for whoever was spoken of last; where the clause itself names nobody ("which brakes")."""
+
 
 def accounted(structure: Structure, settings: Settings, left_out: Sequence[str] = ()) -> Structure:
     """S with its links, its background and what of its text was not understood; `left_out`: phrases of the text that
@@ -49,14 +52,14 @@ def accounted(structure: Structure, settings: Settings, left_out: Sequence[str] 
     background: list[Unmet] = []
     last = "R"
     for clause in covering(text):
-        own = _of_clause(structure, plain, clause, terms, nouns)
+        own, about_whom = _of_clause(structure, plain, clause, terms, nouns, last)
         for cid, field, span in own:
             links[cid].append(_link(text, span, field))
         about = _meets([li.span for found in links.values() for li in found if li.span and li.field], clause)
         if not about and (reason := _topic(plain[slice(*clause)])):
             background.append(Unmet(text=text[slice(*clause)], reason=reason, span=clause))
         elif own:
-            last = own[-1][0]
+            last = about_whom
         elif not about and _meets([u.span for u in missed if u.span], clause):
             continue
         elif not about and _content(plain[slice(*clause)]):
@@ -71,13 +74,16 @@ def accounted(structure: Structure, settings: Settings, left_out: Sequence[str] 
 
 
 def _of_clause(
-    structure: Structure, plain: str, clause: Span, terms: Mapping[str, Mapping[str, str]], nouns: Sequence[Mention]
-) -> list[tuple[str, str, Span]]:
-    """The words of a clause that components say: whose, of which field, where."""
+    structure: Structure, plain: str, clause: Span, terms: Mapping[str, Mapping[str, str]], nouns: Sequence[Mention],
+    last: str,
+) -> tuple[list[tuple[str, str, Span]], str]:
+    """The words of a clause that components say: whose, of which field, where; and whom it is about. `last`: who was
+    spoken of before."""
     could: list[tuple[Span, dict[str, str]]] = []
     for noun in (n for n in nouns if clause[0] <= n.start < clause[1]):
         fitting = {c.id: "type" for c in structure.objects if isinstance(c.spec, ObjectSpec) and noun.fits(c.spec.type)}
         could.append(((noun.start, noun.end), fitting))
+    names = any(fields for _, fields in could) or names_ego(plain[slice(*clause)])
     amounts = [((clause[0] + a, clause[0] + b), v, unit) for (a, b), v, unit in quantities(plain[slice(*clause)])]
     taken = [*(span for span, _ in could), *(span for span, _, _ in amounts)]
     for match in _WORD.finditer(plain, *clause):
@@ -88,13 +94,15 @@ def _of_clause(
     for span, value, _ in amounts:
         fields = ((c.id, _field_of(c, value)) for c in structure.components)
         could.append((span, {cid: field for cid, field in fields if field is not None}))
-    weight: dict[str, float] = defaultdict(float)
+    weight: dict[str, float] = defaultdict(float, {last: LAST if names else STILL})
     for _, whose in could:
         for cid, field in whose.items():
             weight[cid] += _SHARE.get(field, 1.0) / len(whose)
     order = structure.ids
-    best = ((span, max(whose, key=lambda c: (weight[c], -order.index(c))), whose) for span, whose in could if whose)
-    return sorted((cid, whose[cid], span) for span, cid, whose in best)
+    best = [(span, max(whose, key=lambda c: (weight[c], -order.index(c))), whose) for span, whose in could if whose]
+    about = max(weight, key=lambda c: (weight[c], -order.index(c)))
+    own = sorted((cid, whose[cid], span) for span, cid, whose in best if whose[cid] or cid == about)
+    return own, about
 
 
 def _terms(component: Component, structure: Structure) -> Iterator[tuple[str, str]]:

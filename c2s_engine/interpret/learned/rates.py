@@ -16,20 +16,22 @@ def with_rates(structure: Structure) -> Structure:
         phases = getattr(component.spec, "phases", ())
         for number, phase in enumerate(phases):
             if phase.action in ACTIONS and phase.rate is None and (said := _said(structure.text, component, number)):
-                rate, reason = said
+                rate, reason, words = said
                 phases = (*phases[:number], phase.model_copy(update={"rate": rate}), *phases[number + 1 :])
                 note = Assumption(field=f"phases.{number}.rate", value=f"{rate:g} m/s2", reason=reason, by="reader")
                 structure = structure.with_spec(component.id, phases=phases)
                 now = structure[component.id]
                 structure = structure.with_component(now.model_copy(update={"assumed": (*now.assumed, note)}))
+                missed = tuple(u for u in structure.not_understood if u.text.lower() not in words)
+                structure = structure.model_copy(update={"not_understood": missed})
     return structure
 
 
-def _said(text: str, component: Component, number: int) -> tuple[float, str] | None:
-    """The rate that words beside a phase's verb say, and what it is."""
+def _said(text: str, component: Component, number: int) -> tuple[float, str, list[str]] | None:
+    """The rate that words beside a phase's verb say, what it is, and the words that say it."""
     spans = [li.span for li in component.links if li.field == f"phases.{number}" and li.span]
     around = [*(text[e:] for _, e in spans), *(" ".join(reversed(text[:s].split())) for s, _ in spans)]
     near = {w for part in around for w in re.findall(r"[a-z]+", re.split(r"[.;,]", part.lower())[0])[:NEAR]}
     near |= {text[slice(*span)].lower() for span in spans}
-    return next(((row["rate"], row["reason"]) for row in language.table("trade")["rates"] if near & set(row["words"])),
-                None)  # fmt: skip
+    rows = language.table("trade")["rates"]
+    return next(((r["rate"], r["reason"], r["words"]) for r in rows if near & set(r["words"])), None)

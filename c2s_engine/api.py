@@ -3,6 +3,7 @@
 import time
 from collections.abc import AsyncGenerator, Callable, Sequence
 from contextlib import aclosing, suppress
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from c2s_engine.check.client import CheckClient
@@ -21,6 +22,7 @@ from c2s_engine.structure.progress import Finished, Progress, Say
 from c2s_engine.structure.requirements import Requirement, Result
 
 if TYPE_CHECKING:
+    from c2s_engine.interpret.learned import Read
     from c2s_engine.session.other_drivers import OtherDriver
     from c2s_engine.session.requiring import Judged
     from c2s_engine.structure.offers import Offer
@@ -302,10 +304,15 @@ class Engine:
     async def read(self, text: str, emit: Callable[[Progress], None] = silent) -> Structure:
         """S of a text as the learned reader reads it, without the planner; a model that is served is not asked. `emit`
         gets what is to be said of it. Raises Unreadable."""
+        return (await self.reading(text, emit)).structure
+
+    async def reading(self, text: str, emit: Callable[[Progress], None] = silent) -> "Read":
+        """The same S with the model's answer."""
         from c2s_engine.session.methods import ReaderMethod
 
         method = ReaderMethod(self.tools)
-        return (await method.read(text, emit)).model_copy(update={"read_by": method.name})
+        found: Read = await method.read(text, emit)
+        return replace(found, structure=found.structure.model_copy(update={"read_by": method.name}))
 
     async def without_effect(self, text: str, structure: Structure) -> tuple[Unmet, ...]:
         """The phrases of a text (S's own, or a change that made S what it is) of which nothing is in what S says."""

@@ -13,12 +13,13 @@ from c2s_engine.commands import show
 from c2s_engine.commands.console import OK, dump, err, out, sentences, work
 from c2s_engine.commands.reading import read_program, read_text
 from c2s_engine.structure.account import account
-from c2s_engine.structure.components import Structure, Unmet
+from c2s_engine.structure.components import Unmet
 from c2s_engine.structure.progress import Progress, Say
 
 if TYPE_CHECKING:
     from c2s_engine.api import Engine
     from c2s_engine.check.protocol import ImportResult
+    from c2s_engine.interpret.learned import Read
 
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object.")]
 
@@ -40,8 +41,8 @@ def interpret(
         engine = Engine(load_settings())
         reading = f"reading {len(description):,} characters"
         with err.status(reading) if err.is_terminal and not as_json else nullcontext():
-            structure, idle = asyncio.run(_read(engine, description))
-            stages = _stages(structure, description) if explain or as_json else {}
+            read, idle = asyncio.run(_read(engine, description))
+            structure, stages = read.structure, _stages(read) if explain or as_json else {}
     if as_json:
         told = [c.model_dump(mode="json") for c in account(structure, idle)]
         dump({"structure": structure.model_dump(mode="json"), "account": told, "stages": stages,
@@ -66,28 +67,26 @@ def said(event: Progress) -> None:
         err.print(Text(event.text, style="yellow"))
 
 
-async def _read(engine: "Engine", text: str) -> tuple[Structure, tuple[Unmet, ...]]:
-    """S of a text, and the phrases of it that make no difference."""
-    structure = await engine.read(text, said)
-    return structure, await engine.without_effect(text, structure)
+async def _read(engine: "Engine", text: str) -> tuple["Read", tuple[Unmet, ...]]:
+    """What is read of a text, and the phrases of it that nothing in S says."""
+    found = await engine.reading(text, said)
+    return found, await engine.without_effect(text, found.structure)
 
 
-def _stages(structure: Structure, text: str) -> dict[str, list[dict[str, Any]]]:
+def _stages(read: "Read") -> dict[str, list[dict[str, Any]]]:
     """How S came of the text: the model's answer with how sure it is of each field, the settings that were found by
     table, and the words that the fields rest on."""
-    from c2s_engine.interpret.learned import learned
     from c2s_engine.interpret.learned.certainty import certainties
     from c2s_engine.interpret.settings import detect
 
-    answer = learned(text).answer
-    sure = certainties(answer)
+    text, sure = read.structure.text, certainties(read.answer)
     return {
-        "answer": [{"line": line} for line in answer.text.splitlines()],
+        "answer": [{"line": line} for line in read.answer.text.splitlines()],
         "certainty": [{"field": f"{cid}.{path}", "likely": round(p, 3)} for (cid, path), p in sure.items()],
         "settings": [{"field": f"{cid}.{path}", "value": f.value, "span": f.span, "text": text[slice(*f.span)]}
                      for cid, path, f in detect(text).found()],
         "links": [{"field": f"{c.id}.{li.field}".rstrip("."), "span": li.span, "text": li.label}
-                  for c in structure.components for li in c.links],
+                  for c in read.structure.components for li in c.links],
     }  # fmt: skip
 
 

@@ -24,34 +24,22 @@ def alternatives(words: list[str]) -> str:
 
 
 @cache
-def actor_nouns() -> dict[str, tuple[str, bool, bool]]:
-    """Noun -> (object type, is a plural, names a rider or driver)."""
+def actor_nouns() -> dict[str, str]:
+    """Nouns of road users and things, plurals too, with the types of objects that they mean."""
     data = table("actors")
-    found: dict[str, tuple[str, bool, bool]] = {}
-    named = {noun for section in ("types", "people") for nouns in data[section].values() for noun in nouns}
-    several = {plural for noun in named for plural in plurals(noun)} - set(data["invariant"]) | {"people"}
-    for section, person in (("types", False), ("people", True)):
-        for kind, nouns in data[section].items():
-            for noun in nouns:
-                found[noun] = (kind, noun in several or noun in ("cattle", "works", "roadworks"), person)
-                for plural in plurals(noun):
-                    found.setdefault(plural, (kind, True, person))
-    for section, kind in (("generic", "vehicle"), ("drivers", "vehicle"), ("riders", "rider")):
-        for noun in data[section]:
-            found[noun] = (kind, False, section == "riders")
+    found: dict[str, str] = {}
+    known = [(kind, nouns) for section in ("types", "people") for kind, nouns in data[section].items()]
+    known += [("vehicle", data["generic"]), ("vehicle", data["drivers"]), ("rider", data["riders"])]
+    for kind, nouns in known:
+        for noun in nouns:
+            found[noun] = kind
             for plural in plurals(noun):
-                found.setdefault(plural, (kind, True, section == "riders"))
-    for noun in other_agents():
-        found.setdefault(noun, ("vehicle", noun.endswith("s"), False))
-    for name in data["queues"]:
-        found[name] = ("car", True, False)
-    for kind, names in data["makes"].items():
-        for name in names:
-            found.setdefault(name, (kind, False, False))
-    for nouns in data["nominal_roles"].values():
-        found.update(dict.fromkeys(nouns, ("vehicle", False, False)))
-    found["people"] = ("pedestrian", True, False)
-    return found
+                found.setdefault(plural, kind)
+    others = [*other_agents(), *(noun for nouns in data["nominal_roles"].values() for noun in nouns)]
+    makes = ((name, kind) for kind, names in data["makes"].items() for name in names)
+    for noun, kind in ((n, k) for k, ns in (("vehicle", others), ("car", data["queues"])) for n in ns):
+        found.setdefault(noun, kind)
+    return {**dict(makes), **found, "people": "pedestrian"}
 
 
 @cache

@@ -19,12 +19,11 @@ FAMILY = {
 
 @dataclass(frozen=True)
 class Mention:
-    """A noun for a road user or thing: where it stands, its type, whether it is a plural."""
+    """A noun for a road user or thing: where it stands, and its type."""
 
     start: int
     end: int
     type: str
-    plural: bool
 
     def fits(self, kind: str) -> bool:
         """Whether it can mean an object of that type."""
@@ -42,8 +41,8 @@ def mentions(text: str) -> list[Mention]:
     found = []
     for match in _nouns().finditer(normalised(text)):
         noun = re.sub(r"[\s-]+", " ", match["noun"])
-        kind, plural, _ = known.get(noun) or known.get(match["noun"]) or ("vehicle", False, False)
-        found.append(Mention(match.start(), match.end(), kind, plural))
+        kind = known.get(noun) or known.get(match["noun"], "vehicle")
+        found.append(Mention(match.start(), match.end(), kind))
     return found
 
 

@@ -161,7 +161,7 @@ def _named(plain: str) -> dict[str, Found]:
     match = re.search(data["maps"], plain)
     if match:
         found["map"] = Found(
-            "Town" + match[1].upper().replace("HD", "HD") + ("_Opt" if match[2] else ""), match.span()
+            "Town" + match[1].upper() + ("_Opt" if match[2] else ""), match.span()
         )
     match = re.search(data["presets"], plain)
     if match:

@@ -47,7 +47,6 @@ class Turn:
     kind: TurnKind
     edits: list[Edit] = field(default_factory=list)
     reply: str = ""
-    span: tuple[int, int] | None = None
     corrects: bool = False
     """Whether it does what the turn before did otherwise."""
 
@@ -55,40 +54,44 @@ class Turn:
 def route(text: str, structure: Structure | None, last: PreviousTurn | None = None) -> Turn:
     """Decide what the text asks for, given the S at hand (None: there is none yet) and what was typed last;
     raises InterpreterFault."""
-    whole = (0, len(text))
     if not is_english(text):
-        return Turn("edit", reply=NOT_ENGLISH, span=whole)
+        return Turn("edit", reply=NOT_ENGLISH)
+    plain = " ".join(normalised(text).split())
     with faults():
-        kind = _kind(" ".join(normalised(text).split()), structure)
+        kind = _kind(plain, structure)
         if kind == "nothing":
-            return Turn("edit", reply="Say what the scene is, or what to change in it.", span=whole)
+            return Turn("edit", reply="Say what the scene is, or what to change in it.")
         if kind != "edit" and kind != "wish":
-            return Turn(kind, span=whole)
+            return Turn(kind)
         assert structure is not None
-        return _change(text, structure, last, wish=kind == "wish")
+        try:
+            found = _corrected(text, structure, last) or _change(text, structure)
+        except ReaderError as error:
+            return Turn("edit", reply=f"{error}. S can be changed in its pane, too.")
+        if found is not None:
+            return found
+        if kind == "wish":  # put as a question, it is one where it asks for no change
+            return Turn("question")
+        if _introduces(plain, structure):
+            return Turn("scenario")
+        return Turn("edit", reply=_not_understood(text))
 
 
-def _change(text: str, structure: Structure, last: PreviousTurn | None, *, wish: bool) -> Turn:
-    """The change that a text asks for; `wish`: it is put as a question, and one where it asks for none."""
-    whole = (0, len(text))
-    corrects = last is not None and last.before.text == structure.text and _corrects(text)
-    try:
-        found = None
-        if corrects and last is not None:
-            found = read_change(f"{last.text}{THEN}{text}", last.before)
-            if found is not None and found.edits:
-                edits = differences(structure, after_edits(last.before, found.edits))
-                return Turn("edit", edits, found.words, whole, corrects=True)
-        found = read_change(text, structure)
-    except ReaderError as error:
-        return Turn("edit", reply=f"{error}. S can be changed in its pane, too.", span=whole)
-    if found is not None and found.edits:
-        return Turn("edit", list(found.edits), found.words, whole)
-    if wish:
-        return Turn("question", span=whole)
-    if _introduces(" ".join(normalised(text).split()), structure):
-        return Turn("scenario", span=whole)
-    return Turn("edit", reply=_not_understood(text), span=whole)
+def _change(text: str, structure: Structure) -> Turn | None:
+    """The change that a text asks for; None where it asks for none. Raises ReaderError."""
+    found = read_change(text, structure)
+    return Turn("edit", list(found.edits), found.words) if found is not None and found.edits else None
+
+
+def _corrected(text: str, structure: Structure, last: PreviousTurn | None) -> Turn | None:
+    """The last change as a text that corrects it means it; None where it corrects nothing. Raises ReaderError."""
+    if last is None or last.before.text != structure.text or not re.match(_table()["corrects"], normalised(text)):
+        return None
+    meant = _change(f"{last.text}{THEN}{text}", last.before)
+    if meant is None:
+        return None
+    edits = differences(structure, after_edits(last.before, meant.edits))
+    return Turn("edit", edits, meant.reply, corrects=True)
 
 
 def _kind(plain: str, structure: Structure | None) -> Literal["nothing", "wish"] | TurnKind:
@@ -135,18 +138,11 @@ def _asks(sentence: str) -> bool:
     sentence = re.sub(table["asking"]["before"], "", sentence)
     if re.search(table["asked_for"], sentence):
         return False
-    if any(re.match(pattern, sentence) for pattern in table["asking"]["shapes"]):
-        return True
-    if sentence.endswith("?"):
+    if sentence.endswith("?") or any(re.match(pattern, sentence) for pattern in table["asking"]["shapes"]):
         return True
     return bool(re.match(table["question"], sentence)) and not re.match(
         r"(is|are|do|does|have|will)\b(?!.*\?)|.*\binstead\b", sentence
     )
-
-
-def _corrects(text: str) -> bool:
-    """Whether a text is put as a correction of what was typed last."""
-    return re.match(_table()["corrects"], normalised(text)) is not None
 
 
 def _introduces(plain: str, structure: Structure) -> bool:

@@ -3,6 +3,7 @@
 import asyncio
 import contextlib
 import time
+from dataclasses import replace
 from typing import Any, Protocol
 
 from c2s_engine.check.protocol import PlacesRequest
@@ -56,7 +57,7 @@ class ReaderMethod:
         started = time.perf_counter()
         warming = asyncio.create_task(_warm(self.tools))
         try:
-            found = await self.read(text, emit)
+            found = (await self.read(text, emit)).structure
         except Unreadable as error:
             result = timed("interpret", started, (Diagnostic(stage="interpret", message=str(error), code="text"),))
             emit(StageDone(result=result))
@@ -71,15 +72,16 @@ class ReaderMethod:
             emit(Say(text=f"Not understood: {words}.", severity="warning"))
         return found, [], self.account(found), result
 
-    async def read(self, text: str, emit: Emit) -> Structure:
-        """S of a text, with the reaction that is usual where it says none; raises Unreadable."""
+    async def read(self, text: str, emit: Emit) -> Any:
+        """What the learned reader reads of a text (interpret.learned.Read), its S with the reaction that is usual where
+        it says none; raises Unreadable."""
         found = await read(text, self.tools)
         answer = found.answer
         self.tokens += answer.prompt_tokens + answer.answer_tokens
         emit(Usage(purpose="read", prompt_tokens=answer.prompt_tokens, answer_tokens=answer.answer_tokens))
         if found.note:
             emit(Say(text=found.note, severity="warning"))
-        return with_usual_reaction(found.structure)
+        return replace(found, structure=with_usual_reaction(found.structure))
 
     async def write(
         self, structure: Structure, emit: Emit, *, map_name: str, room: float, folder: str

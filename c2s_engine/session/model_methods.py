@@ -12,9 +12,10 @@ from c2s_engine.session.places import map_choice
 from c2s_engine.session.steps import Emit, Tools, timed
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
-from c2s_engine.structure.edits import Edit
+from c2s_engine.structure.edits import Edit, SetField
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import ProgramChanged, StageDone, StageStarted, Usage
+from c2s_engine.structure.sentences import sentence
 from c2s_engine.write.loop import Evaluate, Outcome
 from c2s_engine.write.typed import TypedWriter
 
@@ -75,12 +76,12 @@ class ModelMethod:
 
     async def improve(self, structure: Structure, evaluate: Evaluate, emit: Emit) -> Outcome:
         """What the model makes of what a run did not show (write.loop)."""
-        from c2s_engine.interpret.learned import LearnedReader
+        from c2s_engine.interpret.learned import learned
         from c2s_engine.write.loop import improve
 
         async with client_for(self.settings) as client:
             return await improve(
-                structure, evaluate, client=client, reader=LearnedReader(), on_event=self._counting(emit)
+                structure, evaluate, client=client, reader=learned, on_event=self._counting(emit)
             )
 
     def account(self, structure: Structure | None) -> dict[str, Any]:
@@ -94,10 +95,8 @@ class ModelMethod:
         a sentence of the user's keeps it."""
         if not self.reads_sentences:
             return []
-        from c2s_engine.interpret.learned.edits import redescribed
-
         kept = {c.id for c in after.components if c.id in before and before[c.id].description != c.description}
-        return [edit for edit in redescribed(before, after) if getattr(edit, "component", None) not in kept]
+        return [edit for edit in _redescribed(before, after) if getattr(edit, "component", None) not in kept]
 
     def _counting(self, emit: Emit) -> Emit:
         def on_event(event: Any) -> None:
@@ -111,6 +110,17 @@ class ModelMethod:
         from c2s_engine.write.methods import method
 
         return method(self.name, method_tools(self.tools, client, emit, writer, folder))
+
+
+def _redescribed(before: Structure, after: Structure) -> list[Edit]:
+    """The sentences of the components whose specs changed."""
+    edits: list[Edit] = []
+    for component in after.components:
+        if component.id in before and before[component.id].spec == component.spec or component.id == "T":
+            continue
+        if (words := sentence(component, after)) != component.description:
+            edits.append(SetField(component=component.id, path="description", value=words))
+    return edits
 
 
 def share(structure: Structure) -> float:

@@ -30,7 +30,7 @@ def method_tools(
 ) -> MethodTools:
     """The tools of `write.methods`; without a folder (of the map) nothing is checked."""
     from c2s_engine.check.fixes import apply_fixes
-    from c2s_engine.interpret.learned import LearnedReader
+    from c2s_engine.interpret.learned import learned
 
     async def check(program: str, spans: Sequence[FragmentSpan], upto: Upto) -> CheckReport:
         return await tools.check.check(
@@ -50,7 +50,7 @@ def method_tools(
         return await (await ready(tools, emit)).embed(list(texts))
 
     return MethodTools(
-        reader=LearnedReader(), client=client, search=search, embed=embed,
+        reader=learned, client=client, search=search, embed=embed,
         check=check if folder else None, fix=apply_fixes, resolve=places, writer=writer,
     )  # fmt: skip
 

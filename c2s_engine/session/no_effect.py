@@ -3,18 +3,17 @@
 import re
 from collections.abc import Sequence
 
-import snowballstemmer
-
 from c2s_engine.session.reader import phrases
 from c2s_engine.session.steps import Tools
-from c2s_engine.structure.components import Structure, Unmet
+from c2s_engine.structure.account import meets
+from c2s_engine.structure.components import Component, Structure, Unmet
 from c2s_engine.structure.sentences import sentence
+from c2s_engine.structure.stems import stems
 
 SHOWN = 60
 """Characters of a text by which it is named."""
 JOINED = re.compile(r"(?:(?:and|but|then|or)\b\s*)*", re.IGNORECASE)
-WORD = re.compile(r"[^\W_]+")
-SMALL = re.compile(r"an?|the|its|his|her|with|of|by|for|from|to|at|in|on|onto|along|and|but|then|or", re.IGNORECASE)
+SMALL = stems("a an the its his her with of by for from to at in on onto along and but then or")
 REASON = "nothing in S says it"
 
 Span = tuple[int, int]
@@ -27,24 +26,20 @@ async def without_effect(text: str, structure: Structure, tools: Tools) -> tuple
     lost = [*structure.not_understood, *structure.background, *(u for c in structure.components for u in c.unmet)]
     known = [u.span for u in lost if u.span] if own else []
     rests = [li.span for c in structure.components for li in c.links if li.span and li.field] if own else []
+    said = frozenset(s for c in structure.components for s in stems(_told(c, structure)))
     found: list[Span] = []
     for start, end in await phrases(text, tools):
         begin = start + JOINED.match(text[start:end]).end()  # type: ignore[union-attr]
-        said = _meets((begin, end), [*rests, *known, *found]) or says(structure, text[begin:end])
-        if not said:
+        words = {word for word in stems(text[begin:end]) - SMALL if len(word) > 1}  # no units
+        if words and not words & said and not meets((begin, end), *rests, *known, *found):
             found.append((begin, end))
     return tuple(Unmet(text=text[a:b].strip(" ,;.\n"), reason=REASON, span=(a, b)) for a, b in sorted(found))
 
 
-def says(structure: Structure, phrase: str) -> bool:
-    """Whether some word of a phrase, but for small ones, is in what S says in its sentences and fields."""
-    stem = snowballstemmer.stemmer("english").stemWords
-    told = " ".join(
-        f"{c.description} {sentence(c, structure)} {c.spec.model_dump(exclude_defaults=True)}"
-        for c in structure.components
-    )
-    words = [w for w in WORD.findall(phrase.lower()) if not SMALL.fullmatch(w)]
-    return not words or bool(set(stem(words)) & set(stem(WORD.findall(told.lower().replace("_", " ")))))
+def _told(component: Component, structure: Structure) -> str:
+    """What a component says, in its sentence, the usual one and its fields."""
+    fields = component.spec.model_dump(exclude_defaults=True)
+    return f"{component.description} {sentence(component, structure)} {fields}"
 
 
 def phrases_sentence(found: Sequence[Unmet], of: str = "") -> str:
@@ -54,7 +49,3 @@ def phrases_sentence(found: Sequence[Unmet], of: str = "") -> str:
     whose = f"Of “{short}”: " if said else ""
     words = "; ".join(f"“{unmet.text}”" for unmet in found)
     return f"{whose}Nothing in S says: {words}." if found else whose
-
-
-def _meets(span: Span, others: Sequence[Span]) -> bool:
-    return any(a < span[1] and span[0] < b for a, b in others)

@@ -184,7 +184,7 @@ def _meant(plain: str, taken: list[re.Match[str]], named: dict[tuple[str, ...], 
         if kind == "order" and plain[:start].rstrip().endswith("the"):  # "the last car"
             return _Part("unread", text, start)
         return _Part(kind, text, start, value)
-    kind = actor_nouns().get(text, ("",))[0]
+    kind = actor_nouns().get(text, "")
     return _Part("absent", text, start) if kind and kind not in ("vehicle", "rider", "car") else None
 
 
@@ -194,7 +194,7 @@ def _named(structure: Structure) -> dict[tuple[str, ...], tuple[str, ...]]:
         _stems(word): ["E"] for word in ("ego", "i", "me", "my", "my car", "we", "us", "our", "you", "your", "ego car")
     }
     nouns: dict[str, list[str]] = {}
-    for noun, (kind, *_) in actor_nouns().items():
+    for noun, kind in actor_nouns().items():
         nouns.setdefault(kind, []).append(noun)
     for component in structure.objects:
         spec = component.spec

@@ -178,12 +178,12 @@ async def _routed(
     plain = await route(text, structure, engine.tools, last)
     if structure is None or plain.corrects or not uses_model(engine, method):
         return plain
-    from c2s_engine.interpret.learned import LearnedReader
+    from c2s_engine.interpret.learned import learned
     from c2s_engine.interpret.llm.turn import route as route_with_model
 
     async with engine.model_client() as client:
         return await route_with_model(
-            text, structure, client=client, reader=LearnedReader(), plain=plain, on_event=emit
+            text, structure, client=client, reader=learned, plain=plain, on_event=emit
         )
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from c2s_engine.structure.components import ComponentId, Structure, Unmet
 from c2s_engine.structure.edits import Edit, EditError, RemoveObject, SetField, apply
+from c2s_engine.structure.sentences import with_updated_sentences
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, PlaceSpec
 from c2s_engine.write.typed import ResolveError, contradiction
 
@@ -32,8 +33,6 @@ def without_contradictions(structure: Structure) -> Structure:
 
 def _simpler(structure: Structure, problem: ResolveError) -> Structure | None:
     """With one thing less, so that the contradiction is gone; else so that it is another one."""
-    from c2s_engine.interpret.learned.edits import redescribed
-
     other = None
     for cid, what, edit in _edits(structure, problem):
         try:
@@ -44,8 +43,7 @@ def _simpler(structure: Structure, problem: ResolveError) -> Structure | None:
         again = found is not None and str(found) == str(problem)  # of several that are placed so, one is left out
         if again and not (isinstance(edit, SetField) and edit.path == "placement") or found and other is not None:
             continue
-        for words in redescribed(structure, changed):
-            changed = apply(changed, words)
+        changed = with_updated_sentences(structure, changed)
         where = cid if cid in changed else "R"
         unmet = Unmet(text=what, reason=f"left out, because {problem}")
         component = changed[where]

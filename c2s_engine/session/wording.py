@@ -11,10 +11,10 @@ from typing import Any, TypeGuard
 
 from c2s_engine.session.no_effect import without_effect
 from c2s_engine.session.reader import Unreadable, change
+from c2s_engine.structure.account import UNSAID
 from c2s_engine.structure.components import Structure, Unmet
 from c2s_engine.structure.edits import Edit, SetDescription, SetField, SetSpec, apply
 
-NOWHERE = "no field of S says it"
 Span = tuple[int, int]
 _WORD = re.compile(r"\w+(?:[.'’-]\w+)*")
 
@@ -35,7 +35,7 @@ async def reworded(structure: Structure, edits: Sequence[Edit], tools: Any) -> t
         if structure[edit.component].description != after[edit.component].description:
             meant, lost, reply = await _meant(structure, after, edit.component, tools)
             new = after[edit.component]
-            unmet = (*(u for u in new.unmet if u.reason != NOWHERE or u.text in new.description), *lost)
+            unmet = (*(u for u in new.unmet if u.reason != UNSAID or u.text in new.description), *lost)
             found[-1] = SetDescription(component=new.id, description=new.description, unmet=tuple(dict.fromkeys(unmet)))
             found += meant
             replies.append(reply)
@@ -57,7 +57,7 @@ async def _meant(before: Structure, after: Structure, cid: str, tools: Any) -> t
     try:
         asked = await change(f"{'ego' if cid == 'E' else cid}: {sentence}", before, tools)
     except Unreadable as error:
-        whole = [Unmet(text=sentence, reason=NOWHERE)]
+        whole = [Unmet(text=sentence, reason=UNSAID)]
         return [], whole, f"{cid}: the sentence is kept, the fields are unchanged: {error}"
     edits = [e for e in asked if isinstance(e, SetSpec) and e.component == cid]
     changes: list[Edit] = []
@@ -79,7 +79,7 @@ async def _meant(before: Structure, after: Structure, cid: str, tools: Any) -> t
         named = "; ".join(f"“{text}”" for text in words)
         kept = f"{named} {'is' if len(words) == 1 else 'are'} not in S: the sentence is kept, and that is marked in it."
         reply = f"{reply} {kept}" if told else f"{cid}: {kept}"
-    return changes, [Unmet(text=text, reason=NOWHERE) for text in words], reply
+    return changes, [Unmet(text=text, reason=UNSAID) for text in words], reply
 
 
 def _new(old: str, sentence: str) -> list[Span]:

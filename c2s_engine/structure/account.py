@@ -21,6 +21,7 @@ STATUS_WORDS: dict[Status, str] = {
     "not_understood": "not understood",
 }  # fmt: skip
 NOBODY = "no component of S uses it"
+UNSAID = "no field of S says it"
 GONE = "{} is not in S"
 
 CLAUSE = 0.8
@@ -120,9 +121,9 @@ def _wordy(text: str, spans: list[Span]) -> list[Span]:
 
 
 def _clause(structure: Structure, span: Span, idle: Sequence[Unmet]) -> Clause:
-    components = [c.id for c in structure.components if any(_meets(link.span, span) for link in c.links)]
+    components = [c.id for c in structure.components if any(meets(link.span, span) for link in c.links)]
     said = dict.fromkeys(
-        (c.id, li.field) for c in structure.components for li in c.links if li.field and _meets(li.span, span)
+        (c.id, li.field) for c in structure.components for li in c.links if li.field and meets(li.span, span)
     )
     fields = [f"{cid}.{path}" for cid, path in said if is_set(structure[cid].spec, path)]
     gone = [GONE.format(f"{cid}.{path}") for cid, path in said if f"{cid}.{path}" not in fields]
@@ -152,8 +153,9 @@ def is_set(spec: Spec, path: str) -> bool:
 
 
 def _inside(notes: Iterable[Unmet], span: Span) -> tuple[Unmet, ...]:
-    return tuple(n for n in notes if _meets(n.span, span))
+    return tuple(n for n in notes if meets(n.span, span))
 
 
-def _meets(a: Span | None, b: Span) -> bool:
-    return a is not None and a[0] < b[1] and b[0] < a[1]
+def meets(span: Span | None, *others: Span) -> bool:
+    """Whether a span has a character in common with one of others."""
+    return span is not None and any(span[0] < end and start < span[1] for start, end in others)

@@ -75,7 +75,7 @@ class ReaderMethod:
         self.tools = tools
 
     async def interpret(self, text: str, on_event: OnEvent | None = None) -> Reading:
-        found = self.tools.reader.interpret(text)
+        found = self.tools.reader(text)
         return Reading(structure=found.structure, notes=(found.note,) if found.note else ())
 
     async def write(self, structure: Structure, on_event: OnEvent | None = None) -> Structure:

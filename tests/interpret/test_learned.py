@@ -13,13 +13,12 @@ from hypothesis import strategies as st
 
 from c2s_engine.interpret import InterpretError
 from c2s_engine.interpret.learned import Answer, ReaderError, asked, installed, learned, loaded, reading
-from c2s_engine.interpret.learned.account import PASSED_OVER
 from c2s_engine.interpret.learned.decoder import base
 from c2s_engine.interpret.learned.notation import left_out, parse, short, with_left_out
 from c2s_engine.interpret.learned.quantities import si
 from c2s_engine.interpret.learned.reader import BEYOND, CHECK, MOST_WORDS, NAMED, NO_SCENARIO, NOT_USED, structure_of
 from c2s_engine.interpret.learned.units import rooms_in_seconds
-from c2s_engine.structure.account import account
+from c2s_engine.structure.account import UNSAID, account
 from c2s_engine.structure.progress import Finished
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, SettingsSpec
 
@@ -238,7 +237,7 @@ def test_what_the_model_leaves_out_is_not_understood_at_its_place():
     found = reading(answer.format("Without looking | hoots | a third thing"), text)
     assert found is not None
     left = [(u.text, u.reason) for u in found.not_understood]
-    assert left == [("without\n looking", PASSED_OVER), ("hoots", PASSED_OVER)]
+    assert left == [("without\n looking", UNSAID), ("hoots", UNSAID)]
     assert all(text[slice(*u.span)] == u.text for u in found.not_understood if u.span)
     nothing = reading(answer.format("none"), text)
     assert nothing is not None and not nothing.not_understood

@@ -13,7 +13,7 @@ from typing import Any
 from tokenizers import Tokenizer
 
 from c2s_bench.records import load
-from c2s_engine.interpret.learned import LearnedReader
+from c2s_engine.interpret.learned import learned
 from c2s_engine.interpret.llm import interpret
 from c2s_engine.models import ModelSettings, OllamaClient, approximate_tokens
 from c2s_engine.retrieve.embedder import Embedder
@@ -63,10 +63,10 @@ async def costs() -> list[tuple[int, int]]:
     words.no_padding()
     median = statistics.median(len(r.text.split()) for r in load())
     texts = sorted((r.text for r in load(split="dev")), key=lambda t: abs(len(t.split()) - median))[:TEXTS]
-    reader, found = LearnedReader(), []
+    found = []
     with FakeOllama() as server:
         for text in texts:
-            structure = reader.interpret(text).structure
+            structure = learned(text).structure
             exchanged: list[str] = []
 
             def respond(request, structure=structure, exchanged=exchanged):
@@ -76,7 +76,7 @@ async def costs() -> list[tuple[int, int]]:
 
             server.respond = respond
             async with OllamaClient(ModelSettings(model="small", host=server.host, probe=False)) as client:
-                await interpret(text, client=client, reader=reader)
+                await interpret(text, client=client, reader=learned)
             pieces = sum(len(words.encode(t, add_special_tokens=False).ids) for t in exchanged)
             found.append((sum(map(approximate_tokens, exchanged)), pieces))
     return found

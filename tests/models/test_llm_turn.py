@@ -5,7 +5,7 @@ import json
 import pytest
 
 from c2s_engine.interpret import turn as plain_turn
-from c2s_engine.interpret.learned import LearnedReader
+from c2s_engine.interpret.learned import learned
 from c2s_engine.interpret.llm.schema import accepts
 from c2s_engine.interpret.llm.turn import route, turn_schema
 from c2s_engine.structure.components import Component, Structure
@@ -45,7 +45,7 @@ def model(turn: dict, **forms: dict):
 async def ask(server, client_of, text, structure=S, events=None):
     async with client_of(server) as client:
         on_event = events.append if events is not None else None
-        return await route(text, structure, client=client, reader=LearnedReader(), on_event=on_event)
+        return await route(text, structure, client=client, reader=learned, on_event=on_event)
 
 
 def after(turn) -> Structure:

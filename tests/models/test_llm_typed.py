@@ -3,6 +3,7 @@
 import asyncio
 import json
 import threading
+from types import SimpleNamespace
 
 import pytest
 
@@ -21,20 +22,19 @@ from tests.models.backends import BAD, BAD_NAMES, random_json, wordy
 from tests.models.fake_ollama import Answer, FakeOllama, endless, said
 
 
-class Plain:
-    """An reader interpreter of two sentences, so that what stands in is known."""
-
-    def interpret(self, text: str) -> Structure:
-        ped = ObjectSpec(name="walker", type="pedestrian", placement=Placement(position="sidewalk", hidden_by="O2"))
-        truck = ObjectSpec(name="lorry", type="truck", placement=Placement(position="parked", side="right"))
-        return Structure(
-            text=text,
-            ego=Component(id="E", spec=EgoSpec(speed=10, react_to="O1")),
-            objects=(
-                Component(id="O1", description="A pedestrian.", spec=ped),
-                Component(id="O2", description="A truck.", spec=truck),
-            ),
-        )
+def plain(text: str) -> SimpleNamespace:
+    """A reader of two sentences, so that what stands in is known."""
+    ped = ObjectSpec(name="walker", type="pedestrian", placement=Placement(position="sidewalk", hidden_by="O2"))
+    truck = ObjectSpec(name="lorry", type="truck", placement=Placement(position="parked", side="right"))
+    structure = Structure(
+        text=text,
+        ego=Component(id="E", spec=EgoSpec(speed=10, react_to="O1")),
+        objects=(
+            Component(id="O1", description="A pedestrian.", spec=ped),
+            Component(id="O2", description="A truck.", spec=truck),
+        ),
+    )
+    return SimpleNamespace(structure=structure)
 
 
 def restore(reading) -> Structure:
@@ -46,7 +46,7 @@ async def test_a_good_model_fills_every_form(server, client_of):
     server.respond = sensible
     events = []
     async with client_of(server) as client:
-        reading = await interpret(TEXT, client=client, reader=Plain(), on_event=events.append)
+        reading = await interpret(TEXT, client=client, reader=plain, on_event=events.append)
     s = restore(reading)
     assert reading.fallbacks == {} and reading.share == 1 and reading.notes == ()
     assert s.settings.spec.weather == ("heavy_rain",) and s.settings.spec.time == "night"
@@ -61,7 +61,7 @@ async def test_a_scenario_of_median_length_costs_at_most_8000_tokens(server, cli
     """The 123 texts have a median of about 60 words; this one has 70. Four characters count as one token."""
     server.respond = sensible
     async with client_of(server) as client:
-        await interpret(TEXT, client=client, reader=Plain())
+        await interpret(TEXT, client=client, reader=plain)
     prompts = sum(approximate_tokens(said(r)) for r in server.requests)
     answers = sum(approximate_tokens(sensible(r)) for r in server.requests)
     assert 1000 < prompts + answers <= 8000, prompts + answers
@@ -78,7 +78,7 @@ async def test_the_fault_is_told_once_and_mended(server, client_of):
 
     server.respond = respond
     async with client_of(server) as client:
-        reading = await interpret(TEXT, client=client, reader=Plain())
+        reading = await interpret(TEXT, client=client, reader=plain)
     assert not reading.fallbacks
     told = [r["messages"][-1]["content"] for r in server.requests if len(r["messages"]) == 4]
     assert len(told) == 2 and "highway to hell" in told[0] and "speed must lie between 0 and 50" in told[1]
@@ -103,10 +103,10 @@ async def test_sentences_copied_from_the_instructions_are_refused(server, client
 
     server.respond = respond
     async with client_of(server) as client:
-        reading = await interpret(TEXT, client=client, reader=Plain())
+        reading = await interpret(TEXT, client=client, reader=plain)
         assert not reading.fallbacks and client.ledger.by("purpose")["interpret again"].calls == 1
         assert "the text does not say it" in said(server.requests[1])
-        again = await interpret(TEXT, client=client, reader=Plain())
+        again = await interpret(TEXT, client=client, reader=plain)
     assert set(again.fallbacks) == set(again.structure.ids) and "is of the example" in again.notes[0]
 
 
@@ -117,7 +117,7 @@ async def test_an_example_that_is_the_text_s_own_stands(server, client_of):
     ] * 3}  # fmt: skip
     server.respond = lambda request: "{}" if asked_of(request) else json.dumps(told)
     async with client_of(server) as client:
-        reading = await interpret(text, client=client, reader=Plain())
+        reading = await interpret(text, client=client, reader=plain)
     (once,) = reading.structure.objects
     assert once.links[0].label.startswith("A car comes from the opposite approach"), "said thrice, is one"
 
@@ -126,7 +126,7 @@ async def test_what_cannot_be_used_is_the_readers_answer_marked_and_counted(serv
     server.respond = lambda request: sensible(request) if asked_of(request) not in ("E", "O3") else "no idea"
     events = []
     async with client_of(server) as client:
-        reading = await interpret(TEXT, client=client, reader=Plain(), on_event=events.append)
+        reading = await interpret(TEXT, client=client, reader=plain, on_event=events.append)
     s = restore(reading)
     assert set(reading.fallbacks) == {"E", "O3"} and reading.share == pytest.approx(5 / 7)
     assert s["O3"].spec.name == "walker", "the reader pedestrian stands in for the model's"
@@ -140,7 +140,7 @@ async def test_what_cannot_be_used_is_the_readers_answer_marked_and_counted(serv
 async def test_bad_models_leave_the_readers_reading(server, client_of, name):
     server.respond = BAD[name](0)
     async with client_of(server, answer_tokens=200) as client:
-        reading = await interpret(TEXT, client=client, reader=Plain())
+        reading = await interpret(TEXT, client=client, reader=plain)
     assert restore(reading).objects, "there is always something to write"
     assert reading.fallbacks and reading.notes and all("\n" not in n for n in reading.notes)
     assert len(server.requests) <= 30
@@ -150,7 +150,7 @@ async def test_a_dead_server_is_asked_once(client_of):
     with FakeOllama() as gone:
         pass
     async with client_of(gone) as client:
-        reading = await interpret(TEXT, client=client, reader=Plain())
+        reading = await interpret(TEXT, client=client, reader=plain)
     assert reading.share == 0 and "Ollama does not answer" in reading.notes[0]
     assert [r.outcome for r in client.ledger.rows] == ["ModelUnavailable"]
 
@@ -158,7 +158,7 @@ async def test_a_dead_server_is_asked_once(client_of):
 async def test_a_server_that_dies_between_is_not_waited_for_again(server, client_of):
     server.respond = lambda r: sensible(r) if asked_of(r) != "E" else Answer(status=400, error="gone")
     async with client_of(server) as client:
-        reading = await interpret(TEXT, client=client, reader=Plain())
+        reading = await interpret(TEXT, client=client, reader=plain)
     assert set(reading.fallbacks) == {"E", "O1", "O2", "O3"}
     assert len(server.requests) == 4
 
@@ -167,7 +167,7 @@ async def test_a_server_that_dies_between_is_not_waited_for_again(server, client
 async def test_random_forms_are_all_taken(server, client_of, seed):
     server.respond = (wordy if seed % 5 == 0 else random_json)(seed)
     async with client_of(server) as client:
-        reading = await interpret(TEXT, client=client, reader=Plain())
+        reading = await interpret(TEXT, client=client, reader=plain)
     s = restore(reading)
     assert reading.fallbacks == {}
     assert len({o.spec.name for o in s.objects}) == len(s.objects)
@@ -179,7 +179,7 @@ async def test_cancelling_in_mid_stream_stops_the_model(server, client_of):
     hold = threading.Event()
     server.respond = lambda request: Answer(endless('{"objects": ['), hold=hold)
     async with client_of(server) as client:
-        task = asyncio.create_task(interpret(TEXT, client=client, reader=Plain()))
+        task = asyncio.create_task(interpret(TEXT, client=client, reader=plain))
         assert await asyncio.to_thread(server.streaming.wait, 5)
         task.cancel()
         with pytest.raises(asyncio.CancelledError):
@@ -192,7 +192,7 @@ async def test_settings_below_the_confidence_are_defaults_and_said(server, clien
     form = {"weather": {"value": ["rain"], "confidence": 0.59}, "time": {"value": "dusk", "confidence": 0.6}}
     server.respond = lambda r: json.dumps(form) if asked_of(r) == "G" else sensible(r)
     async with client_of(server) as client:
-        s = (await interpret(TEXT, client=client, reader=Plain())).structure
+        s = (await interpret(TEXT, client=client, reader=plain)).structure
     assert s.settings.spec.weather == () and s.settings.spec.time == "dusk"
     assert [a.field for a in s.settings.assumed] == ["weather"] and "0.59" in s.settings.assumed[0].reason
 
@@ -200,7 +200,7 @@ async def test_settings_below_the_confidence_are_defaults_and_said(server, clien
 async def test_forms_offer_only_what_can_be_said(server, client_of):
     server.respond = sensible
     async with client_of(server) as client:
-        await interpret(TEXT, client=client, reader=Plain())
+        await interpret(TEXT, client=client, reader=plain)
     forms = {asked_of(r): r["format"] for r in server.requests}
     person = forms["O3"]["properties"]
     assert "cross_road" in person["phases"]["items"]["properties"]["action"]["enum"]

@@ -14,7 +14,7 @@ from c2s_engine.interpret.llm import interpret
 from c2s_engine.models.ways import CHAT, GENERATE, Way
 from tests.models.answers import TEXT, sensible
 from tests.models.fake_ollama import Answer, FakeOllama, Respond, said
-from tests.models.test_llm_typed import Plain
+from tests.models.test_llm_typed import plain
 
 LOW, ON = Way(think="low"), Way(think=True)
 
@@ -89,7 +89,7 @@ async def test_a_fault_ends_in_a_valid_form_or_in_one_sentence(server, client_of
     case = CASES[name]
     server.respond = case.respond
     async with client_of(server, model="thinker", probe=True, **case.settings) as client:
-        reading = await interpret(TEXT, client=client, reader=Plain())
+        reading = await interpret(TEXT, client=client, reader=plain)
         way = client.way
     assert reading.structure.objects, "there is always something to write"
     if case.way:
@@ -110,6 +110,6 @@ async def test_nobody_there_and_no_such_model_are_one_sentence(server, client_of
         (client_of(server, model="absent", probe=True), "c2s models pull absent"),
     ):
         async with client:
-            reading = await interpret(TEXT, client=client, reader=Plain())
+            reading = await interpret(TEXT, client=client, reader=plain)
         assert reading.share == 0 and len(reading.notes) == 1 and sentence in reading.notes[0]
     assert not server.requests

@@ -13,7 +13,7 @@ from c2s_engine.interpret.llm.schema import accepts
 from c2s_engine.structure.specs import Trigger
 from tests.models.answers import asked_of
 from tests.models.measure_tokens import costs
-from tests.models.test_llm_typed import Plain
+from tests.models.test_llm_typed import plain
 
 
 def form(cid: str, text: str) -> Form:
@@ -83,7 +83,7 @@ async def test_settings_that_the_splitter_missed_are_detected(server, client_of,
     forms = {"": split, "G": rain, "E": {}, "O1": car}
     server.respond = lambda request: json.dumps(forms[asked_of(request)])
     async with client_of(server) as client:
-        reading = await interpret(text, client=client, reader=Plain())
+        reading = await interpret(text, client=client, reader=plain)
     assert not reading.fallbacks and reading.structure.settings.spec.weather == weather
     assert ("G" in map(asked_of, server.requests)) == bool(weather)
 
@@ -101,7 +101,7 @@ async def test_a_light_that_changes_can_be_told_in_any_words(server, client_of, 
     forms = {"": {"ego": "Ego drives.", "objects": []}, "G": certain, "E": {}}
     server.respond = lambda request: json.dumps(forms[asked_of(request)])
     async with client_of(server) as client:
-        reading = await interpret(text, client=client, reader=Plain())
+        reading = await interpret(text, client=client, reader=plain)
     spec = reading.structure.settings.spec
     assert not reading.fallbacks and spec.light == "red"
     assert [(c.to, c.when) for c in spec.light_changes] == [(change["to"], Trigger(**when))]

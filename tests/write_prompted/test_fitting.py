@@ -1,11 +1,12 @@
 """What a generator is shown: retrieved code in the names at hand, what is written later, what was tried."""
 
 import json
+from types import SimpleNamespace
 
 import pytest
 
 from c2s_engine import paths
-from c2s_engine.interpret.learned import LearnedReader
+from c2s_engine.interpret.learned import learned
 from c2s_engine.retrieve.terms import terms_of
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.diagnostics import Diagnostic
@@ -142,23 +143,23 @@ async def test_snippets_are_sought_by_what_a_component_is_and_does(server, clien
     server.respond = Programmer()
     library = Library()
     async with client_of(server, num_ctx=16384) as client:
-        method = PromptedMethod("C3", client, library, reader=LearnedReader())
+        method = PromptedMethod("C3", client, library, reader=learned)
         s = await method.interpret(TEXT)
         await method.write_component(s, "O1")
     assert library.about[s["O1"].description] == terms_of(s, "O1") != ()
 
 
 async def test_who_reacts_to_another_is_written_after_it(server, client_of):
-    class Reader:
-        def interpret(self, text):
-            waits = Phase(action="brake", trigger=Trigger(kind="action", of="O2", action="cross_road"))
-            first = ObjectSpec(name="van", type="van", phases=(waits,))
-            second = ObjectSpec(name="pedestrian", type="pedestrian")
-            return Structure(text=text, objects=(Component(id="O1", spec=first), Component(id="O2", spec=second)))
+    def reader(text):
+        waits = Phase(action="brake", trigger=Trigger(kind="action", of="O2", action="cross_road"))
+        first = ObjectSpec(name="van", type="van", phases=(waits,))
+        second = ObjectSpec(name="pedestrian", type="pedestrian")
+        objects = (Component(id="O1", spec=first), Component(id="O2", spec=second))
+        return SimpleNamespace(structure=Structure(text=text, objects=objects))
 
     server.respond = Programmer()
     async with client_of(server, num_ctx=16384) as client:
-        s = await PromptedMethod("C1", client, reader=Reader()).interpret(TEXT)
+        s = await PromptedMethod("C1", client, reader=reader).interpret(TEXT)
     assert [o.id for o in s.objects] == ["O2", "O1"]
 
 

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from c2s_engine.interpret.learned import LearnedReader
+from c2s_engine.interpret.learned import learned
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.write.loop import Outcome, improve
@@ -43,7 +43,7 @@ def editor(request):
 async def improved(server, client_of, evaluate):
     events: list = []
     async with client_of(server) as client:
-        found = await improve(S, evaluate, client=client, reader=LearnedReader(), on_event=events.append)
+        found = await improve(S, evaluate, client=client, reader=learned, on_event=events.append)
     return found, [e.text for e in events if e.type == "say"]
 
 

@@ -6,7 +6,7 @@ import re
 import pytest
 
 from c2s_engine import paths
-from c2s_engine.interpret.learned import LearnedReader
+from c2s_engine.interpret.learned import learned
 from c2s_engine.models import ModelSettings, OllamaClient, errors
 from c2s_engine.session.places import resolve
 from c2s_engine.structure.components import Structure
@@ -56,7 +56,7 @@ def _words(text: str) -> set[str]:
 
 
 def tools(client=None, **more) -> MethodTools:
-    return MethodTools(reader=LearnedReader(), client=client, **more)
+    return MethodTools(reader=learned, client=client, **more)
 
 
 async def program_of(name: str, text: str, given: MethodTools):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from c2s_engine.interpret.learned import LearnedReader
+from c2s_engine.interpret.learned import learned
 from c2s_engine.interpret.llm.typed import share_without_fallback
 from c2s_engine.maps.library import MapLibrary
 from c2s_engine.session.places import resolve
@@ -34,7 +34,7 @@ class Pipeline:
         return (await resolve(structure, self.library, self.checker)).diagnostic
 
     async def run(self, name: str, text: str, client, events: list):
-        tools = {"reader": LearnedReader(), "client": client, "resolve": self.resolve, "check": self.checker}
+        tools = {"reader": learned, "client": client, "resolve": self.resolve, "check": self.checker}
         reading = await method(name, MethodTools(**tools)).interpret(text, events.append)
         found = await resolve(reading.structure, self.library, self.checker)
         assert found.writer is not None, found.diagnostic

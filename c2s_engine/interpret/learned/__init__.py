@@ -2,9 +2,8 @@
 
 from c2s_engine.interpret.learned.change import Change, read_change
 from c2s_engine.interpret.learned.decoder import Answer, ReaderError, installed, loaded
-from c2s_engine.interpret.learned.reader import LearnedReader, Read, asked, learned, reading
+from c2s_engine.interpret.learned.reader import Read, asked, learned, reading
 
 __all__ = [
-    "Answer", "Change", "LearnedReader", "Read", "ReaderError", "asked", "installed", "learned", "loaded",
-    "read_change", "reading",
+    "Answer", "Change", "Read", "ReaderError", "asked", "installed", "learned", "loaded", "read_change", "reading",
 ]  # fmt: skip

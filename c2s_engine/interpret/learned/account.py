@@ -21,15 +21,15 @@ from c2s_engine.interpret.mentions import Mention, mentions, names_ego
 from c2s_engine.interpret.parser import parser
 from c2s_engine.interpret.settings import Settings
 from c2s_engine.interpret.text import normalised
-from c2s_engine.structure.account import covering
+from c2s_engine.structure.account import UNSAID, covering, meets
 from c2s_engine.structure.components import Component, Link, Structure, Unmet
-from c2s_engine.structure.leaves import leaves
 from c2s_engine.structure.sentences import sentence
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.structure.stems import stem, stems
 
 Span = tuple[int, int]
-PASSED_OVER = "no field of S says it"
+Number = tuple[str, str, float]
+"""Of a component: its id, the path, the SI value."""
 NO_VALUE = "no field of S has the value {}"
 _WORD = re.compile(r"[a-z]{2,}")
 _SHARE = {"type": 2.0, "": 0.5}
@@ -44,26 +44,27 @@ def accounted(structure: Structure, settings: Settings, left_out: Sequence[str] 
     the model said to be in no component."""
     text, plain = structure.text, normalised(structure.text)
     terms = {c.id: dict(_terms(c, structure)) for c in structure.components}
-    nouns = mentions(text)
+    nouns, numbers = mentions(text), _numbers(structure)
     links: dict[str, list[Link]] = defaultdict(list)
     for cid, field, found in settings.found():
         links[cid].append(_link(text, found.span, field))
-    missed = [*_phrases(text, left_out), *_values(structure)]
+    missed = [*_phrases(text, left_out), *_values(structure, numbers)]
     background: list[Unmet] = []
     last = "R"
     for clause in covering(text):
-        own, about_whom = _of_clause(structure, plain, clause, terms, nouns, last)
+        own, about_whom = _of_clause(structure, plain, clause, terms, nouns, numbers, last)
         for cid, field, span in own:
             links[cid].append(_link(text, span, field))
-        about = _meets([li.span for found in links.values() for li in found if li.span and li.field], clause)
-        if not about and (reason := _topic(plain[slice(*clause)])):
+        about = meets(clause, *(li.span for found in links.values() for li in found if li.span and li.field))
+        named = any(meets((n.start, n.end), clause) for n in nouns)
+        if not about and (reason := _topic(plain[slice(*clause)], named)):
             background.append(Unmet(text=text[slice(*clause)], reason=reason, span=clause))
         elif own:
             last = about_whom
-        elif not about and _meets([u.span for u in missed if u.span], clause):
+        elif not about and meets(clause, *(u.span for u in missed if u.span)):
             continue
         elif not about and _content(plain[slice(*clause)]):
-            missed.append(Unmet(text=text[slice(*clause)], reason=PASSED_OVER, span=clause))
+            missed.append(Unmet(text=text[slice(*clause)], reason=UNSAID, span=clause))
         elif not about:  # it goes on about whoever was spoken of
             links[last].append(_link(text, clause))
     for component in structure.components:
@@ -75,7 +76,7 @@ def accounted(structure: Structure, settings: Settings, left_out: Sequence[str] 
 
 def _of_clause(
     structure: Structure, plain: str, clause: Span, terms: Mapping[str, Mapping[str, str]], nouns: Sequence[Mention],
-    last: str,
+    numbers: Sequence[Number], last: str,
 ) -> tuple[list[tuple[str, str, Span]], str]:
     """The words of a clause that components say: whose, of which field, where; and whom it is about. `last`: who was
     spoken of before."""
@@ -88,12 +89,11 @@ def _of_clause(
     taken = [*(span for span, _ in could), *(span for span, _, _ in amounts)]
     for match in _WORD.finditer(plain, *clause):
         word = match[0]
-        if word in _small() or _meets(taken, match.span()):
+        if word in _small() or meets(match.span(), *taken):
             continue
         could.append((match.span(), {cid: said[stem(word)] for cid, said in terms.items() if stem(word) in said}))
     for span, value, _ in amounts:
-        fields = ((c.id, _field_of(c, value)) for c in structure.components)
-        could.append((span, {cid: field for cid, field in fields if field is not None}))
+        could.append((span, {cid: _whole(path) for cid, path, held in numbers if _same(held, value)}))
     weight: dict[str, float] = defaultdict(float, {last: LAST if names else STILL})
     for _, whose in could:
         for cid, field in whose.items():
@@ -130,12 +130,11 @@ def _values_of(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
         yield path, value
 
 
-def _field_of(component: Component, value: float) -> str | None:
-    """The field of a component that has a number."""
-    for path, held in _values_of(component.spec.model_dump(exclude_defaults=True)):
-        if isinstance(held, int | float) and not isinstance(held, bool) and _same(float(held), value):
-            return _whole(path)
-    return None
+def _numbers(structure: Structure) -> list[Number]:
+    """The numbers that components hold: whose, by which path."""
+    return [(c.id, path, float(held)) for c in structure.components
+            for path, held in _values_of(c.spec.model_dump(exclude_defaults=True))
+            if isinstance(held, int | float) and not isinstance(held, bool)]  # fmt: skip
 
 
 def _whole(path: str) -> str:
@@ -147,15 +146,12 @@ def _same(held: float, value: float) -> bool:
     return math.isclose(held, value, rel_tol=0.02, abs_tol=0.06)
 
 
-def _values(structure: Structure) -> Iterator[Unmet]:
+def _values(structure: Structure, numbers: Sequence[Number]) -> Iterator[Unmet]:
     """The quantities of the text that no field of S has; times also as the way that is driven in them."""
-    held = [float(n) for c in structure.components for n in leaves(c.spec.model_dump())
-            if isinstance(n, int | float) and not isinstance(n, bool)]  # fmt: skip
-    speeds = [float(n) for c in (structure.ego, *structure.objects) for n in leaves(getattr(c.spec, "speed", None))
-              if isinstance(n, int | float)]  # fmt: skip
+    speeds = [held for _, path, held in numbers if path.split(".")[0] == "speed"]
     for span, value, unit in quantities(structure.text):
         ways = [value * speed for speed in speeds] if unit == "s" else []
-        if not any(_same(n, v) for n in held for v in (value, *ways)):
+        if not any(_same(held, v) for _, _, held in numbers for v in (value, *ways)):
             words = structure.text[slice(*span)]
             yield Unmet(text=words, reason=NO_VALUE.format(words), span=span)
 
@@ -164,14 +160,14 @@ def _phrases(text: str, left_out: Sequence[str]) -> Iterator[Unmet]:
     for phrase in left_out:
         found = re.search(r"\s+".join(map(re.escape, phrase.split())), text, re.IGNORECASE)
         if found:
-            yield Unmet(text=found[0], reason=PASSED_OVER, span=found.span())
+            yield Unmet(text=found[0], reason=UNSAID, span=found.span())
 
 
-def _topic(clause: str) -> str:
-    """Why a clause is background by what it is about; empty where it is about nothing of the kind."""
+def _topic(clause: str, named: bool) -> str:
+    """Why a clause is background by what it is about; empty where it is about nothing of the kind. `named`: whether it
+    names somebody."""
     said = set(_WORD.findall(clause))
     said |= {stem(word) for word in said}
-    named = bool(mentions(clause))
     for topic in language.table("background").values():
         if said & set(topic["words"]) or not named and said & set(topic["about"]):
             return str(topic["reason"])
@@ -207,7 +203,3 @@ def _verbs() -> dict[str, frozenset[str]]:
 
 def _link(text: str, span: Span, field: str = "") -> Link:
     return Link(kind="text", label=text[slice(*span)], span=span, field=field)
-
-
-def _meets(spans: Sequence[Span], span: Span) -> bool:
-    return any(a < span[1] and span[0] < b for a, b in spans)

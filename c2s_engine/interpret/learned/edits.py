@@ -9,7 +9,6 @@ from c2s_engine.structure import quantity
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import AddObject, Edit, MoveObject, RemoveObject, SetField, SetSpec, apply
 from c2s_engine.structure.quantity import ends
-from c2s_engine.structure.sentences import sentence
 from c2s_engine.structure.specs import AnySpec, EgoSpec, ObjectSpec, Phase, SettingsSpec, Trigger
 
 TOWARDS = ("follow", "overtake", "collide", "yield")
@@ -38,17 +37,6 @@ def differences(now: Structure, wanted: Structure) -> list[Edit]:
     ids = [c.id for c in wanted.objects]
     moved = [cid for cid in ids if any(e.component == cid for e in added)]
     return [*edits, *(MoveObject(component=cid, index=ids.index(cid)) for cid in moved)]
-
-
-def redescribed(before: Structure, after: Structure) -> list[Edit]:
-    """The sentences of the components whose specs changed."""
-    edits: list[Edit] = []
-    for component in after.components:
-        if component.id in before and before[component.id].spec == component.spec or component.id == "T":
-            continue
-        if (words := sentence(component, after)) != component.description:
-            edits.append(SetField(component=component.id, path="description", value=words))
-    return edits
 
 
 def _name(component: Component) -> str:

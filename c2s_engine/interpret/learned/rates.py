@@ -1,6 +1,8 @@
 """How hard somebody brakes ("hard", "gently"), by the words beside the verb, where the model says no number."""
 
 import re
+from itertools import takewhile
+from typing import Any
 
 from c2s_engine.interpret import language
 from c2s_engine.structure.components import Assumption, Component, Structure
@@ -13,25 +15,31 @@ ACTIONS = ("brake", "stop")
 def with_rates(structure: Structure) -> Structure:
     """S with the rates of braking that words of its text say; by its links."""
     for component in structure.components:
-        phases = getattr(component.spec, "phases", ())
+        phases = list(getattr(component.spec, "phases", ()))
         for number, phase in enumerate(phases):
-            if phase.action in ACTIONS and phase.rate is None and (said := _said(structure.text, component, number)):
-                rate, reason, words = said
-                phases = (*phases[:number], phase.model_copy(update={"rate": rate}), *phases[number + 1 :])
-                note = Assumption(field=f"phases.{number}.rate", value=f"{rate:g} m/s2", reason=reason, by="reader")
-                structure = structure.with_spec(component.id, phases=phases)
-                now = structure[component.id]
+            if phase.action not in ACTIONS or phase.rate is not None:
+                continue
+            word, row = _said(structure.text, component, number)
+            if row is not None:
+                phases[number] = phase.model_copy(update={"rate": row["rate"]})
+                note = Assumption(field=f"phases.{number}.rate", value=f"{row['rate']:g} m/s2", reason=row["reason"],
+                                  by="reader")  # fmt: skip
+                now = structure.with_spec(component.id, phases=tuple(phases))[component.id]
                 structure = structure.with_component(now.model_copy(update={"assumed": (*now.assumed, note)}))
-                missed = tuple(u for u in structure.not_understood if u.text.lower() not in words)
+                missed = tuple(u for u in structure.not_understood if u.span != word)
                 structure = structure.model_copy(update={"not_understood": missed})
     return structure
 
 
-def _said(text: str, component: Component, number: int) -> tuple[float, str, list[str]] | None:
-    """The rate that words beside a phase's verb say, what it is, and the words that say it."""
-    spans = [li.span for li in component.links if li.field == f"phases.{number}" and li.span]
-    around = [*(text[e:] for _, e in spans), *(" ".join(reversed(text[:s].split())) for s, _ in spans)]
-    near = {w for part in around for w in re.findall(r"[a-z]+", re.split(r"[.;,]", part.lower())[0])[:NEAR]}
-    near |= {text[slice(*span)].lower() for span in spans}
+def _said(text: str, component: Component, number: int) -> tuple[tuple[int, int], Any]:
+    """The word beside a phase's verb that says how hard it is done, and its row; None where there is none."""
     rows = language.table("trade")["rates"]
-    return next(((r["rate"], r["reason"], r["words"]) for r in rows if near & set(r["words"])), None)
+    for start in (li.span[0] for li in component.links if li.field == f"phases.{number}" and li.span):
+        words = list(re.finditer(r"[a-z]+|[.;,]", text.lower()))
+        verb = next((i for i, w in enumerate(words) if w.start() >= start), len(words))
+        behind = list(takewhile(lambda w: w[0].isalpha(), words[verb : verb + NEAR + 1]))
+        before = list(takewhile(lambda w: w[0].isalpha(), reversed(words[max(0, verb - NEAR) : verb])))
+        for word in (*behind, *before):
+            if (row := next((r for r in rows if word[0] in r["words"]), None)) is not None:
+                return word.span(), row
+    return (0, 0), None

@@ -43,6 +43,8 @@ NO_SCENARIO = (
     "This describes no driving scenario: name in English the vehicles or people, where they are and what they do."
 )
 CHECK = "The learned reader is not sure of {}: compare S with the text."
+FEW = 8
+"""Words of a text that is a scene though it names one road user alone."""
 NAMED = 4
 """Fields that are named of those that it is not sure of; S marks all."""
 GUESSED = "read with a certainty of {:.0%}"
@@ -61,14 +63,6 @@ class Read:
     note: str = ""
 
 
-class LearnedReader:
-    """Reads driving scenarios, for whoever takes a reader."""
-
-    def interpret(self, text: str) -> Read:
-        """As `learned`."""
-        return learned(text)
-
-
 def asked(text: str) -> str:
     """A text as the model is asked it: one paragraph as one line, as in training."""
     return " ".join(text.split()) if text.count("\n") < 3 else text.strip()
@@ -81,11 +75,11 @@ def learned(text: str) -> Read:
         raise InterpretError(EMPTY)
     if not is_english(text):
         raise InterpretError(NOT_ENGLISH)
-    if not _of_the_road(text):
+    named = typologies.meant(text)
+    if named is None and not _of_the_road(text):
         raise InterpretError(NO_SCENARIO)
     words = list(re.finditer(r"\S+", text))
     told = text[: words[MOST_WORDS].start()] if len(words) > MOST_WORDS else text
-    named = typologies.meant(told)
     try:
         answer = loaded().answer(asked(named[0] if named else told))
     except ReaderError as error:
@@ -104,12 +98,11 @@ def learned(text: str) -> Read:
 
 
 def _of_the_road(text: str) -> bool:
-    """Whether a text has a word that only a scene of the road has, or speaks of ego and another road user."""
-    words = _words(text)
-    named = mentions(text)
-    return bool(words & set(language.table("trade")["road"])) or len(named) + names_ego(text) > 1 or (
-        bool(named) and len(words) <= 8 or typologies.meant(text) is not None
-    )
+    """Whether a text has a word that only scenes of the road have, or names two who may be in one; if short, one."""
+    if _words(text) & set(language.table("trade")["road"]):
+        return True
+    named = len(mentions(text)) + names_ego(text)
+    return named > 1 or named == 1 and len(text.split()) <= FEW
 
 
 def _words(text: str) -> set[str]:

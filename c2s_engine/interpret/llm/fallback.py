@@ -1,6 +1,7 @@
 """The learned reader's answer for single components of a reading that a model began."""
 
 import re
+from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
@@ -11,30 +12,30 @@ from c2s_engine.structure.edits import _REFERENCE_FIELDS
 from c2s_engine.structure.objects import object_spec
 from c2s_engine.structure.specs import AnySpec, ObjectSpec
 
+Reader = Callable[[str], Any]
+"""What reads a text to something with a `structure`: `learned.learned`, or another."""
+
 
 class StandIn:
-    """The learned reader's reading of a text, made when first needed."""
+    """The learned reader's S of a text, made when first needed."""
 
-    def __init__(self, interpreter: Any, text: str) -> None:
-        self.interpreter = interpreter
-        self.text = text
+    def __init__(self, reader: Reader, text: str) -> None:
+        self.reader, self.text = reader, text
 
     @cached_property
     def structure(self) -> Structure:
-        """The learned reader's reading; an empty S where the learned reader refuses the text."""
+        """The S; an empty one where the reader refuses the text."""
         return self._read(self.text)
 
     def strict(self) -> Structure:
-        """The learned reader's reading; what the learned reader raises passes through."""
-        found = self.interpreter.interpret(self.text)
-        return getattr(found, "structure", found)
+        """The S; what the reader raises passes through."""
+        return self.reader(self.text).structure
 
     def _read(self, text: str) -> Structure:
         try:
-            found = self.interpreter.interpret(text)
+            return self.reader(text).structure
         except ValueError:
             return Structure(text=text)
-        return getattr(found, "structure", found)
 
     def spec(self, cid: str, sentences: Sentences) -> AnySpec:
         """The spec that stands in for a component; references are those of the model's numbering."""
@@ -54,7 +55,7 @@ class StandIn:
         return renumbered(found, {"ego": "ego", **{mine: theirs for theirs, mine in ids.items()}})
 
     def _partners(self, sentences: Sentences) -> dict[str, Component]:
-        """Which reader object is which of the model's: the likest first, by type and words in common."""
+        """Which of the reader's objects is which of the model's: the likest first, by type and words in common."""
         pairs = [
             (_likeness(wanted.type, wanted.sentence, their), -i, -j)
             for i, wanted in enumerate(sentences.objects)

@@ -49,13 +49,13 @@ async def route(
         )
         kind = KINDS[found["kind"]]
         if kind != "edit":
-            return Turn(kind, span=(0, len(text)))
+            return Turn(kind)
         edits, said = await _edits(found["changes"], structure, client, reader, on_event)
     except (ModelError, EditError) as error:
         if on_event:
             on_event(Say(text=f"The turn was read without the model. {error}", severity="warning"))
         return plain
-    return Turn("edit", edits, "; ".join(said), (0, len(text)))
+    return Turn("edit", edits, "; ".join(said))
 
 
 async def mend(

@@ -5,7 +5,7 @@ counted in `fallbacks`, said in `notes`. Whatever the model answers, the result 
 """
 
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any
 
 from pydantic import BaseModel, ConfigDict
 
@@ -27,12 +27,6 @@ from c2s_engine.structure.specs import SPEC_OF, AnySpec, EgoSpec, SettingsSpec
 _KINDS = {"G": "settings", "R": "place", "E": "ego", "T": "restrictions"}
 
 
-class Reads(Protocol):
-    """The learned reader, or whatever answers a text with something that has a `structure`."""
-
-    def interpret(self, text: str) -> Any: ...
-
-
 class Reading(BaseModel):
     """What was understood with a model. `fallbacks`: component -> why the learned reader's answer stands there."""
 
@@ -52,7 +46,7 @@ async def interpret(
     text: str,
     *,
     client: OllamaClient,
-    reader: Reads,
+    reader: fallback.Reader,
     on_event: OnEvent | None = None,
 ) -> Reading:
     """S for a text; never raises ModelError (what went wrong is in `notes`).
@@ -65,7 +59,7 @@ async def interpret(
 class TypedReader:
     """Reads one text."""
 
-    def __init__(self, client: OllamaClient, reader: Reads, on_event: OnEvent | None = None) -> None:
+    def __init__(self, client: OllamaClient, reader: fallback.Reader, on_event: OnEvent | None = None) -> None:
         self.asker = Asker(client, on_event)
         self.reader = reader
         self.on_event = on_event
@@ -205,7 +199,7 @@ def _bounds_something(limit: dict[str, Any]) -> bool:
 
 
 def share_without_fallback(structure: Structure) -> float:
-    """The share of components that no reader answer stands in for, by the marks in `assumed`."""
+    """The share of components for which the reader does not stand in, by the marks in `assumed`."""
     marked = [c.id for c in structure.components if any(a.field == "*" for a in c.assumed)]
     return 1 - len(marked) / len(structure.components)
 

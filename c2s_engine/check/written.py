@@ -1,7 +1,7 @@
 """Behaviours in the shapes of the typed writer, read back: a line that is driven along at a speed, step by step.
 
-A step is a `do Drive(line, speed, rate=...)` with the condition that ends it. What is not in one of these shapes (a
-change to another line, a place to the side of it, a speed that follows another's) is not read: it stays code.
+A step is a `do Drive(line, speed, rate=...)` or `do Stop(line, rate=...)` with the condition that ends it. What is in none
+of these shapes (a change to another line, a place to the side of it, a speed that follows another's) stays code.
 """
 
 import ast
@@ -62,7 +62,7 @@ class Written:
     def _read(self, body: list[Any]) -> Drive:
         from scenic.syntax import ast as s
 
-        if not (body and isinstance(body[0], ast.Assign) and _called(body[0].value) == "way"):
+        if not (body and isinstance(body[0], ast.Assign) and _called(body[0].value) == "route"):
             raise NotWritten
         line = body.pop(0).targets[0].id
         braking = None
@@ -77,7 +77,7 @@ class Written:
         return Drive(start, phases, braking is not None, bool(braking))
 
     def _braking(self, node: Any) -> bool:
-        """Whether the interruption brakes hard, where `need(self, other) > 2.5`: by one of the library's behaviours."""
+        """Whether the interruption brakes hard, where `braking_needed(self, other) > 2.5`, by a library behaviour."""
         from scenic.syntax import ast as s
 
         if len(node.interrupt_when_handlers) != 1:
@@ -95,7 +95,7 @@ class Written:
 
     def _need(self, cond: Any) -> float | None:
         compared = _comparison(cond)
-        if compared is None or _called(compared[0]) not in ("need", "most_need"):
+        if compared is None or _called(compared[0]) != "braking_needed":
             return None
         value = self.values.number(compared[2])
         return value if isinstance(value, float) else None
@@ -107,7 +107,8 @@ class Written:
             raise NotWritten
         call = node.elts[0]
         named = {k.arg: k.value for k in call.keywords} if isinstance(call, ast.Call) else {}
-        if _called(call) != "Drive" or len(call.args) != 2 or set(named) - {"rate"}:
+        stops = _called(call) == "Stop"
+        if _called(call) not in ("Drive", "Stop") or len(call.args) != 2 - stops or set(named) - {"rate"}:
             raise NotWritten
         if not isinstance(call.args[0], ast.Name) or call.args[0].id != line:
             raise NotWritten
@@ -116,7 +117,8 @@ class Written:
             if not isinstance(node.duration, s.Seconds):
                 raise NotWritten
             seconds = self._exactly(node.duration.value)
-        return _Step(call.args[1], rate, node.cond if isinstance(node, s.DoUntil) else None, seconds)
+        speed = ast.Constant(0) if stops else call.args[1]
+        return _Step(speed, rate, node.cond if isinstance(node, s.DoUntil) else None, seconds)
 
     def _exactly(self, node: Any) -> float:
         value = self.values.number(node)
@@ -211,6 +213,6 @@ def _attribute(node: Any) -> str:
 
 
 def _stays_behind(node: Any) -> bool:
-    """Whether a statement goes on behind one ahead: `do Drive(line, lambda: pace(self, car, 9))`."""
+    """Whether a statement goes on behind one ahead: `do Drive(line, lambda: following_speed(self, car, 9))`."""
     calls = [n for e in getattr(node, "elts", ()) for n in ast.walk(e) if isinstance(n, ast.Call)]
-    return [_called(c) for c in calls] == ["Drive", "pace"]
+    return [_called(c) for c in calls] == ["Drive", "following_speed"]

@@ -58,7 +58,7 @@ def place_call(
     spec: PlaceSpec,
     *,
     length: float = 0.0,
-    least: float = 0.0,
+    min_length: float = 0.0,
     approach: float = 0.0,
     exit_room: float = 0.0,
     others: tuple[str, ...] = (),
@@ -66,14 +66,14 @@ def place_call(
 ) -> Call:
     """The call for a place.
 
-    `length`, `least` (m): of a stretch, wanted and at least; `approach`, `exit_room` (m): before and behind a junction,
-    ramp or crosswalk; `others`: calls of `From`; `more`: further arguments.
+    `length`, `min_length` (m): of a stretch, wanted and needed; `approach`, `exit_room` (m): before and behind a
+    junction, ramp or crosswalk; `others`: calls of `From`; `more`: further arguments.
     """
     if spec.distance is not None:
         approach = max(approach, high(spec.distance) + MARGIN)
     first, named = _kind(spec)
     if spec.kind in STRETCHES:
-        named |= {"length": _metres(length), "least": _metres(least)}
+        named |= {"length": _metres(length), "min_length": _metres(min_length)}
     elif spec.kind == "crosswalk":
         named["before"] = _metres(approach)
     else:

@@ -137,7 +137,7 @@ def _with_present_code(structure: Structure, components: dict[ComponentId, Compo
             texts |= {i: arranged[i][1] for i in at}
         elif component.origin in OWN:
             texts |= _spread([(i, arranged[i][1]) for i in at], component.code)
-        elif cid == "R" and (model := _model(structure)) is not None:
+        elif cid == "R" and (model := _model(structure)) is not None and not _follows(arranged, model, at[0]):
             place = model, (cid, component.code.rstrip("\n") + "\n")
         else:
             chosen = at[0] if cid == "G" else at[-1]
@@ -153,6 +153,11 @@ def _with_present_code(structure: Structure, components: dict[ComponentId, Compo
         if place and place[0] == i:
             found += [(FREE, "\n"), place[1], (FREE, "\n")]
     return found
+
+
+def _follows(arranged: Sequence[Piece], model: int, at: int) -> bool:
+    """Whether a piece is the next of a component after the world model's."""
+    return at > model and all(owner == FREE for owner, _ in arranged[model + 1 : at])
 
 
 def _spread(parts: list[tuple[int, str]], code: str) -> dict[int, str]:

@@ -106,6 +106,16 @@ def _phase(phase: Phase, names: dict[str, str], many: bool) -> str:
     return words if many else _third(words)
 
 
+def action_of(phase: Phase, structure: Structure) -> str:
+    """What a phase does, to whom and to which side, as in the component's sentence, without a number."""
+    kept = {name: getattr(phase, name) for name in ("action", "target", "side", "abandoned")}
+    return _phase(Phase(**kept), _object_names(structure), many=False)
+
+
+def _object_names(structure: Structure) -> dict[str, str]:
+    return {c.id: c.spec.name for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+
+
 def _watched(trigger: Trigger, names: dict[str, str]) -> str:
     one = _named(trigger.subject, names) if trigger.subject else "it"
     return clause(trigger, one, _named(trigger.of, names) if trigger.of else "ego")
@@ -271,7 +281,7 @@ def described(structure: Structure) -> Structure:
 
 def sentence(component: Component, structure: Structure) -> str:
     """What a component's spec says, amid the others of S."""
-    names = {c.id: c.spec.name for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+    names = _object_names(structure)
     match component.spec:
         case SettingsSpec():
             return settings(component.spec)

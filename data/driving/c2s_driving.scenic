@@ -24,7 +24,7 @@ from scenic.domains.driving.actions import SetWalkingDirectionAction, SetWalking
 from scenic.domains.driving.model import network
 from scenic.domains.driving.roads import Lane, Maneuver, ManeuverType
 
-LIBRARY_VERSION = 1
+LIBRARY_VERSION = 2
 
 
 # Blueprints of CARLA by what they show, each in 0.9.15 and in 0.9.16: `with blueprint Uniform(*CARS)`
@@ -54,7 +54,7 @@ def begin(lane):
     """The direction in which a lane begins."""
     return lane.centerline[1] - lane.centerline[0]
 
-def _way(lane, turn=ManeuverType.STRAIGHT, bearing=0):
+def _route(lane, turn=ManeuverType.STRAIGHT, bearing=0):
     """Points 2 m apart along a lane and on over the next junctions: by `turn` (a manoeuvre or its type) at the first,
     then straight on, or where that is not possible nearest to `bearing` (rad, to the left) from the first lane."""
     points, goal = lane.centerline.pointsSeparatedBy(2), (lane.centerline[-1] - lane.centerline[-2]).rotatedBy(bearing)
@@ -75,7 +75,7 @@ def _onward(lane, turn, goal):
     onward = onward or [m for l in lane.group.lanes for m in l.maneuvers if m.type is turn]
     return onward or sorted(lane.maneuvers, key=lambda m: abs(goal.angleWith(begin(m.endLane))))
 
-way = distributionFunction(functools.lru_cache(maxsize=64)(_way))
+route = distributionFunction(functools.lru_cache(maxsize=64)(_route))
 
 def straight_on(car, metres=200):
     """Points 2 m apart straight ahead of `car`."""
@@ -280,7 +280,7 @@ def _start_to_merge(place, speed, other_speed, from_, ahead, before_end=None):
     """How far (m) before the end of the ramp of `place` a car starts that drives at `speed`, so that its middle is
     `ahead` m ahead of that of another, which starts `from_` m along the lane of `place` and drives at `other_speed`, as it
     comes onto the acceleration lane, or `before_end` m before the end of that."""
-    points, others = way(place.ramp), way(place.lane, place.turn)
+    points, others = route(place.ramp), route(place.lane, place.turn)
     begins = place.ramp.centerline.length + place.merging.connectingLane.centerline.length
     spot = begins + 5
     if before_end is not None:
@@ -350,7 +350,7 @@ def left_ring(car, beside=3):
     return car.in_ring and not inside
 
 def ring_exit(ego_way, bearing):
-    """The lane by which one leaves the roundabout of `ego_way` nearest to `bearing` (rad, to the left), as `way` does."""
+    """The lane by which one leaves the roundabout of `ego_way` nearest to `bearing` (rad, to the left), as `route` does."""
     line, lane = ego_way.startLane.centerline, ego_way.endLane
     goal = (line[-1] - line[-2]).rotatedBy(bearing)
     for _ in range(12):
@@ -541,6 +541,10 @@ behavior Drive(points, speed, rate=3, offset=0, shift=2.2):
         held = max(0, held + max(-step, min(step, goal - held)))
         take SetSpeedAction(held), SetSteerAction(max(-1, min(1, steer)))
 
+behavior Stop(points, rate=3, offset=0, shift=2.2):
+    """Slow down by `rate` (m/s2) to a stand on the points, as `Drive` follows them, and stay there."""
+    do Drive(points, 0, rate=rate, offset=offset, shift=shift)
+
 behavior Cruise(points, speed):
     """Follow points at `speed` (m/s) from the first."""
     take SetSpeedAction(speed)
@@ -568,13 +572,9 @@ def _those(threats):
     found = threats() if callable(threats) else threats
     return found if isinstance(found, list) else [found]
 
-def _force(car, threats):
-    """The need (m/s2) of `car` to brake for threats."""
-    return most_need(car, _those(threats))
-
 def _gone_by(car, walkers):
     """Whether all of them have gone by, with room, where `car` waits."""
-    return most_need(car, walkers) <= 0 and all(passed(one, car, margin=2.5) for one in walkers)
+    return braking_needed(car, walkers) <= 0 and all(passed(one, car, margin=2.5) for one in walkers)
 
 behavior BrakeFor(points, threats, least=1, release=0, stands=None):
     """Brake for one, several, or those that a function gives: a little harder than it takes, with `least` m/s2 or more at
@@ -583,8 +583,8 @@ behavior BrakeFor(points, threats, least=1, release=0, stands=None):
     enough, slow = (release, math.inf) if stands is None else (stands, 0.2)
     eased, least = (0.6 * self.speed, least) if stands is None else (0, max(least, 2.5))
     rate = lambda: max(least if self.speed > eased else min(least, 1),
-                       min(9 if self.speed > 2 else 4, 1.1 * _force(self, threats)))
-    do Drive(points, 0, rate=rate) until self.speed < slow and _force(self, threats) <= enough
+                       min(9 if self.speed > 2 else 4, 1.1 * braking_needed(self, threats)))
+    do Drive(points, 0, rate=rate) until self.speed < slow and braking_needed(self, threats) <= enough
     self.braked_for = threats
 
 behavior EmergencyStop(points, threats, rate=8):
@@ -594,10 +594,10 @@ behavior EmergencyStop(points, threats, rate=8):
     do Drive(points, 0, rate=rate) until self.speed < 0.2 or draw_away(self, _those(threats))
     if self.speed < 0.2:
         do Drive(points, 0) for 1 seconds
-        do Drive(points, 0) until _force(self, threats) <= 0 and not blocked(self, _those(threats))
+        do Drive(points, 0) until braking_needed(self, threats) <= 0 and not blocked(self, _those(threats))
     self.braked_for = threats
 
-behavior StopShortOf(points, walkers, speed, rate=3.5, stands=False, room=3):
+behavior YieldTo(points, walkers, speed, rate=3.5, stands=False, room=3):
     """Slow down from `speed` so as to stop `room` m short of those on foot, braking at `rate` m/s2, until they have gone
     by; come to a stand first where it `stands`."""
     slow = 0.2 if stands else math.inf
@@ -871,7 +871,7 @@ def draw_away(car, others):
 
 SPARE = 0.6  # s by which one that crosses has to be gone, or not yet there
 
-def need(car, other):
+def _needed(car, other):
     """The deceleration (m/s2) that keeps `car` from reaching `other`, if both go on as they do (one close ahead that slows
     down, to a stand), and at least as much as that one slows down with; 0: no conflict, or one that crosses can still
     stop at its line, or the very beginning, when not all have their speed yet."""
@@ -907,7 +907,7 @@ def need(car, other):
         return 9
     return max(least, closing ** 2 / (2 * max(gap - 2 - 0.5 * max(motion.y, 0), 0.3)))
 
-def into(car, other, speed):
+def braking_to_hit(car, other, speed):
     """The deceleration (m/s2, no more than tyres hold) at which `car` reaches `other`, ahead of it or about to be, at `speed`
     (m/s), if that goes on as it does."""
     across, own = abs(math.sin(other.heading - car.heading)), other.velocity.rotatedBy(-car.heading).y
@@ -969,9 +969,10 @@ def blocked(car, others, within=40):
     places = [(other, (other.position - car.position).rotatedBy(-car.heading)) for other in others if other.speed < 1]
     return any(0 < place.y < within and abs(place.x) < (car.width + other.width) / 2 + 0.5 for other, place in places)
 
-def most_need(car, others):
-    """The greatest `need` of all of them."""
-    return max([0, *[need(car, other) for other in others]])
+def braking_needed(car, others):
+    """The deceleration (m/s2) that keeps `car` from reaching any of others: one, several, or a function that gives them;
+    0: no conflict."""
+    return max([0, *[_needed(car, other) for other in _those(others)]])
 
 def backs(other, car):
     """Whether `other` moves backwards or, on foot, away from the way of `car`."""
@@ -1037,14 +1038,14 @@ def turns_round(car, least=0.15):
 
 FALLS_BACK = 3  # m/s by which one is slower than whom it follows too closely
 
-def pace(car, lead, speed, headway=1.5, standing=4, points=None):
-    """The speed (m/s) at which `car` follows `lead` at `standing` m and a time headway (s) more, at most `speed`; not one
+def following_speed(car, lead, speed, headway=1.5, standstill_gap=4, points=None):
+    """The speed (m/s) at which `car` follows `lead` at `standstill_gap` m and a time headway (s) more, at most `speed`; not one
     that it has passed, nor, where its `points` are given, one that is not in that way. Where it is too near it falls back
     gently."""
     if lead_on(car, lead) > 0 or points and not in_way(points, lead):
         return speed
     gap = (distance from car to lead) - (car.length + lead.length) / 2
-    wanted = min(speed, lead.speed + max(-FALLS_BACK, 0.4 * (gap - standing - headway * lead.speed)))
+    wanted = min(speed, lead.speed + max(-FALLS_BACK, 0.4 * (gap - standstill_gap - headway * lead.speed)))
     return wanted if wanted > 0.6 or lead.speed > 0.3 and wanted > 0 else 0
 
 def behind_those(car, points, speed):
@@ -1055,7 +1056,7 @@ def behind_those(car, points, speed):
     for other in _those(getattr(car, 'braked_for', [])):
         beside = along_line(points, other.position)[1] - (car.width + other.width) / 2
         if beside < 0.8 and math.cos(other.heading - car.heading) > 0.7:
-            speed = min(speed, pace(car, other, speed, headway=1))
+            speed = min(speed, following_speed(car, other, speed, headway=1))
     return speed
 
 def up_to(rest, speed, rate=2.5):
@@ -1286,7 +1287,7 @@ class From(object):
 def stretches(straight=False, two_way=True, crosswalk=None, **wanted):
     """Stretches of road, ego anywhere on them: `straight` ones; `two_way`: with the other direction beside them (else
     one-way roads, too, ramps apart); with a `crosswalk` between their junctions, or without (False). `wanted`: `length`
-    (m, or as much of it as there is), `least` (m), `speed` (m/s), and what `lane_fits` and `limit` mean. Those are taken
+    (m, or as much of it as there is), `min_length` (m), `speed` (m/s), and what `lane_fits` and `limit` mean. Those are taken
     whose bends allow the speed and that meet no stop sign, and of these the longest; others only where there are none
     (`share`: not at all, nor less than that share of the length up to the next junction or, `across`, straight over
     junctions). Carriageways of motorways only where there are no others."""
@@ -1417,26 +1418,27 @@ def lane_fits(lane, section, lanes=None, ego_lane=None, oncoming=None, shoulder=
     return (fits and place[ego_lane] and (oncoming is None or oncoming == adjoins())
             and shoulder in (None, bool(group._shoulder)) and sidewalk in (None, bool(group._sidewalk)))
 
-def _along_roads(fits, length=0, least=0, limit=None, speed=0, share=0, across=False, **lanes):
+def _along_roads(fits, length=0, min_length=0, limit=None, speed=0, share=0, across=False, least=0, **lanes):
+    min_length = max(min_length, least)
     if lanes.get('shoulder') == 'preferred':
         return next((found for shoulder in (True, None)
-                     for found in [_along_roads(fits, length, least, limit, speed, share, across, **{**lanes, 'shoulder': shoulder})]
+                     for found in [_along_roads(fits, length, min_length, limit, speed, share, across, **{**lanes, 'shoulder': shoulder})]
                      if found), [])
     found = [Place(lane) for road in network.roads for lane in road.lanes
              if lane_fits(lane, lane.sections[0], **lanes) and fits(lane)]
     ways = [(part, over) for part, over in SHARES if part >= share and (across or not share or over != JUNCTIONS)]
     for free, part, over in [(True, *way) for way in ways] + [(False, *way) for way in ways if not share]:
-        metres = max(part * length, least)
+        metres = max(part * length, min_length)
         starts = [place for place in found if not free or free_for(place.lane, speed, over == JUNCTIONS) >= metres]
         long = {_longer(place, metres, over, lanes, ahead=True): place for place in starts}
         long = {place: start for place, start in long.items() if place and (over is None or fits(place.lane))}
         fast = [place for place in long if speed and free_for(long[place].lane, speed, True, signs=False) >= metres]
         if long:
             best = _posted(_exactly(lanes.get('lanes'), fast or [*long]), limit)
-            best = [place for place in best if reach(long[place].lane, least, ahead=True) >= least] or best  # none starts in a junction
+            best = [place for place in best if reach(long[place].lane, min_length, ahead=True) >= min_length] or best  # none starts in a junction
             return [place for place in best if unstopped(long[place].lane, length)] or best
     if lanes.get('lanes') == 1 and not share:  # no road that long has only one
-        return _along_roads(fits, length, least, limit, speed, **{**lanes, 'lanes': None})
+        return _along_roads(fits, length, min_length, limit, speed, **{**lanes, 'lanes': None})
     return []
 
 KEPT = {}
@@ -1520,7 +1522,7 @@ def _exactly(lanes, places):
     """The places with so many lanes in ego's direction, if there are any, else those with more; all where none are said."""
     return lanes and [place for place in places if len(place.lane.group.lanes) == lanes] or places
 
-def usual(places, speed=0):
+def ordinary(places, speed=0):
     """Of some places those that are meant where nothing is said of lanes, control and limits: where ego comes to no sign
     and to no light, with the fewest lanes in ego's direction and then about as few on the other roads of the junction,
     and with a posted limit that suits a speed (m/s); of each only where there are such."""
@@ -1730,3 +1732,16 @@ def _rings(network):
         if len(path) > 3 and path[-1] == start:
             rings |= set(path)
     return rings
+
+
+# What programs of version 1 call these; `least` there is `min_length`
+
+way = route
+usual = ordinary
+into = braking_to_hit
+need = braking_needed
+most_need = braking_needed
+StopShortOf = YieldTo
+
+def pace(car, lead, speed, headway=1.5, standing=4, points=None):
+    return following_speed(car, lead, speed, headway, standing, points)

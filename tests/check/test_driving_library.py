@@ -19,7 +19,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 lane = Uniform(*network.lanes)
 behavior Onward():
-    do Drive(way(self.lane), 8)
+    do Drive(route(self.lane), 8)
 ego = new Car on lane.centerline, with behavior Onward()
 """
 
@@ -44,8 +44,25 @@ def test_it_is_saved_beside_the_program_and_known(server, folder):
 
 
 def test_names_and_arguments_are_looked_up_in_it(server, folder):
-    assert codes(check(server, folder, PROGRAM.replace("way(", "wya("))) == ["undefined_name"]
+    assert codes(check(server, folder, PROGRAM.replace("route(", "rotue("))) == ["undefined_name"]
     assert codes(check(server, folder, PROGRAM.replace(", 8)", ", sped=8)"))) == ["wrong_keyword"]
+
+
+def test_a_program_with_the_names_of_version_1_still_runs(server, folder):
+    older = PROGRAM[: PROGRAM.index("lane = ")] + """\
+place = Uniform(*usual(stretches(length=150, least=100), speed=8))
+behavior Onward():
+    line = way(place.lane)
+    try:
+        do Drive(line, lambda: pace(self, lead, 8, standing=3)) until into(self, lead, 2) > 5
+    interrupt when most_need(self, [lead]) > 3 and need(self, lead) > 3:
+        do StopShortOf(line, [lead], 8)
+ego = new Car at place.lane.centerline.pointAlongBy(20), with behavior Onward()
+lead = new Car at place.lane.centerline.pointAlongBy(60)
+terminate after 3 seconds
+"""
+    report = check(server, folder, older)
+    assert report.ok, codes(report)
 
 
 @pytest.mark.full
@@ -64,7 +81,7 @@ def test_one_that_may_not_or_cannot_be_run_is_refused(server, folder, line, code
 
 def test_inlined_is_one_file_with_what_is_used(server, folder):
     text = driving.inlined(PROGRAM)
-    assert driving.MODULE + " import" not in text and "behavior Walk" not in text and "def _way" in text
+    assert driving.MODULE + " import" not in text and "behavior Walk" not in text and "def _route" in text
     (folder / driving.FILE).unlink()
     assert check(server, folder, text).ok
 
@@ -99,7 +116,7 @@ def installed(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("old, new, said", [
     ("CARS = ['vehicle.audi.a2',", "CARS = ['vehicle.audi.a2',,", "CARS is no list of names"),
-    ("def need(car, other):", "def need((car, other):", "a bracket or a string is never closed"),
+    ("def gap(car, other):", "def gap((car, other):", "a bracket or a string is never closed"),
 ])
 def test_an_installed_one_that_is_broken_says_so(installed, old, new, said):
     installed(driving.text().replace(old, new, 1))
@@ -109,8 +126,8 @@ def test_an_installed_one_that_is_broken_says_so(installed, old, new, said):
 
 @pytest.mark.full
 def test_an_installed_one_that_does_not_compile_says_so(installed):
-    text = driving.text().replace("def need(car, other):", "def need(car other):", 1)
-    row = text[: text.index("def need(car other):")].count("\n") + 1
+    text = driving.text().replace("def gap(car, other):", "def gap(car other):", 1)
+    row = text[: text.index("def gap(car other):")].count("\n") + 1
     installed(text)
     assert f"{driving.FILE}, line {row}: this is not Scenic" in library.fault()
 
@@ -124,7 +141,7 @@ def test_a_copy_in_the_folder_that_c2s_was_started_in_is_not_taken(tmp_path):
     (folder / "one.scenic").write_text(
         "param map = localPath('town.xodr')\nparam carla_map = None\nmodel scenic.simulators.carla.model\n"
         f"from {driving.MODULE} import *\nlane = Uniform(*network.lanes)\n"
-        "ego = new Car on lane.centerline, with behavior Cruise(way(lane), 5)\n"
+        "ego = new Car on lane.centerline, with behavior Cruise(route(lane), 5)\n"
     )
     c2s = Path(sys.executable).with_name("c2s")
     done = subprocess.run([c2s, "check", folder / "one.scenic"], cwd=started, capture_output=True, text=True)

@@ -12,9 +12,9 @@ place = Uniform(*junctions(STRAIGHT, control='signal', approach=60, others=[From
 ego = new Car at place.lane.centerline.pointAlongBy(place.length - 30),
     with behavior {ego}
 crossing = new Car at place.from_left.centerline.pointAlongBy(-40),
-    with behavior Cruise(way(place.from_left), 2)
+    with behavior Cruise(route(place.from_left), 2)
 opposite = new Car at place.from_opposite.centerline.pointAlongBy(-40), {opposite}
-    with behavior Cruise(way(place.from_opposite), 2)
+    with behavior Cruise(route(place.from_opposite), 2)
 require monitor Lights({arguments})
 """
 CASES = {  # arguments, of whom is opposite -> what ego, who crosses and who is opposite come to
@@ -30,7 +30,7 @@ CASES = {  # arguments, of whom is opposite -> what ego, who crosses and who is 
 def shown(run, town, monkeypatch):
     monkeypatch.syspath_prepend(str(driving.path().parent))
 
-    def go(arguments, opposite="", ego="Cruise(way(place.lane, place.turn), 2)"):
+    def go(arguments, opposite="", ego="Cruise(route(place.lane, place.turn), 2)"):
         recording = run(PROGRAM.format(arguments=arguments, opposite=opposite, ego=ego), seconds=4).recording
         roads = [town.index.lanes[town.index.lane_at(p.x[0], p.y[0], p.heading[0])].road for p in recording.paths]
         lights = {(junction, road) for _, junction, road, _ in recording.lights}
@@ -48,7 +48,7 @@ def test_who_comes_to_which_light(shown, case):
 
 
 def test_a_red_light_turns_green_for_who_stands_there(shown):
-    stops = "StopAtLine(way(place.lane, place.turn), place.lane, 9, 6)"
+    stops = "StopAtLine(route(place.lane, place.turn), place.lane, 9, 6)"
     ego, crossing, _ = shown("place.turn, 'red', turns_green=True", ego=stops)
     assert "red" in ego.values() and list(ego.values())[-1] == "green"
     assert "green" in crossing.values() and list(crossing.values())[-1] == "red"

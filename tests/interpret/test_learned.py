@@ -17,7 +17,7 @@ from c2s_engine.interpret.learned.decoder import base
 from c2s_engine.interpret.learned.notation import left_out, parse, short, with_left_out
 from c2s_engine.interpret.learned.quantities import si
 from c2s_engine.interpret.learned.reader import BEYOND, CHECK, MOST_WORDS, NAMED, NO_SCENARIO, NOT_USED, structure_of
-from c2s_engine.interpret.learned.units import rooms_in_seconds
+from c2s_engine.interpret.learned.units import quantities, rooms_in_seconds
 from c2s_engine.structure.account import UNSAID, account
 from c2s_engine.structure.progress import Finished
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, SettingsSpec
@@ -38,6 +38,17 @@ CASES = yaml.safe_load((Path(__file__).parent / "answers.yaml").read_text(encodi
 ])  # fmt: skip
 def test_quantities(said, value):
     assert si(said) == value
+
+
+@pytest.mark.parametrize(("text", "found"), [
+    ("After five seconds a car 20 m ahead brakes.", {"five seconds": 5, "20 m": 20}),
+    ("Twenty-five metres, one hundred metres", {"Twenty-five metres": 25, "one hundred metres": 100}),
+    ("a 20-metre gap", {"20-metre": 20}),
+    ("30mph, forty miles per hour, 60 kmh", {"30mph": 13.411, "forty miles per hour": 17.882, "60 kmh": 16.667}),
+    ("The second car brakes at 3 m/s2; one more second, two trucks.", {"3 m/s2": 3}),
+])  # fmt: skip
+def test_quantities_of_a_text_in_digits_and_in_words(text, found):
+    assert {text[a:b]: value for (a, b), value, _ in quantities(text)} == found
 
 
 @pytest.mark.parametrize(("text", "gap"), [

@@ -53,5 +53,5 @@ def names_on(town):
 
 def places(names, approach=0.0, length=0.0, **fields):
     """The places of the town that a spec selects."""
-    call = place_call(PlaceSpec(**fields), approach=approach, length=length, least=length)
+    call = place_call(PlaceSpec(**fields), approach=approach, length=length, min_length=length)
     return eval(str(call), names)

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from c2s_engine.structure.edits import SetField, SetProgram, apply
+from c2s_engine.structure.leaves import value_at
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Finished
 
@@ -76,15 +77,20 @@ async def test_a_constant_by_hand_is_read_back_and_later_turns_go_on_from_there(
     assert not any(c.conflict for c in done.structure.components)
 
 
-async def test_a_constant_of_ours_edited_by_hand_is_an_edit_of_its_field(engine):
+@pytest.mark.parametrize(("old", "new", "path", "value", "follows"), [
+    ("BUS_SPEED = 11.11", "BUS_SPEED = 9.5", "speed", 9.5, [("away, at 40 km/h", "away, at 34.2 km/h")]),
+    ("BUS_GAP = 30", "BUS_GAP = 24", "placement.gap", 24, [("30 m away", "24 m away"), ("length=88", "length=82")]),
+])  # fmt: skip
+async def test_a_constant_of_ours_edited_by_hand_is_an_edit_of_its_field(engine, old, new, path, value, follows):
     text = "Ego drives at 50 km/h on a straight road. A bus drives 30 m ahead of ego at 40 km/h and brakes hard."
     done = await last(engine.generate(text, run=False))
-    typed = "# Ours.\n" + done.program.text.replace("BUS_SPEED = 11.11", "BUS_SPEED = 9.5")
-    assert "BUS_SPEED = 9.5" in typed
+    typed = "# Ours.\n" + done.program.text.replace(old, new)
+    assert new in typed
     done = await last(engine.apply(done.structure, [SetProgram(text=typed)], run=False))
-    # what its sentence says follows
-    assert done.program.text == typed.replace("away, at 40 km/h", "away, at 34.2 km/h")
-    assert done.structure["O1"].spec.speed == 9.5 and done.structure["O1"].origin == "rendered"
+    for one in follows:  # its sentence, and the road that it needs
+        typed = typed.replace(*one)
+    assert done.program.text == typed
+    assert value_at(done.structure["O1"].spec, path) == value and done.structure["O1"].origin == "rendered"
     done = await last(engine.say(done.structure, "make the bus a truck", run=False))
     assert done.program.text.startswith("# Ours.\n## G") and "new Truck" in done.program.text
     assert not any(c.conflict for c in done.structure.components)

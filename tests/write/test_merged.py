@@ -11,7 +11,7 @@ CAR_SPEED = 13.89  # m/s
 CAR_AT = EGO_AT + 13.33 + 5  # m along the lane
 
 behavior CarBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     do Drive(line, CAR_SPEED) for 3 seconds
 
 car = new Car at place.lane.centerline.pointAlongBy(CAR_AT),

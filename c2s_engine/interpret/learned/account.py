@@ -2,7 +2,8 @@
 
 By words and numbers: a word is a component's where that says it (its type's nouns, its actions' verbs, the words of its
 values and sentence); one that several could have said is of the one that has most of its clause. What the model says
-that it left out, quantities that no field has, and clauses of which no component has a word, are not understood.
+that it left out, quantities that no field has, vehicles and animals that nobody of S is, and clauses of which no
+component has a word, are not understood.
 """
 
 import math
@@ -24,13 +25,19 @@ from c2s_engine.interpret.text import normalised
 from c2s_engine.structure.account import UNSAID, covering, meets
 from c2s_engine.structure.components import Component, Link, Structure, Unmet
 from c2s_engine.structure.sentences import sentence
-from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.structure.stems import stem, stems
+from c2s_engine.structure.vocabulary import VEHICLES
 
 Span = tuple[int, int]
 Number = tuple[str, str, float]
 """Of a component: its id, the path, the SI value."""
 NO_VALUE = "no field of S has the value {}"
+NO_OBJECT = "no object of S is one"
+WHEELED = frozenset({*VEHICLES, "animal", "vehicle"} - {"bicycle"})
+"""What a noun names that has to be somebody of S: who is on foot or rides is also a driver, an owner, a passer-by."""
+KIN = {"pickup": "truck", "van": "bus truck car", "truck": "van car", "bus": "van", "car": "van"}
+"""By the type that a noun means, those that it may be called as well."""
 _WORD = re.compile(r"[a-z]{2,}")
 _SHARE = {"type": 2.0, "": 0.5}
 """What a word weighs for whom its clause is about, by the field that says it; others 1."""
@@ -48,7 +55,7 @@ def accounted(structure: Structure, settings: Settings, left_out: Sequence[str] 
     links: dict[str, list[Link]] = defaultdict(list)
     for cid, field, found in settings.found():
         links[cid].append(_link(text, found.span, field))
-    missed = [*_phrases(text, left_out), *_values(structure, numbers)]
+    missed = [*_phrases(text, left_out), *_values(structure, numbers), *_absent(structure, nouns)]
     background: list[Unmet] = []
     last = "R"
     for clause in covering(text):
@@ -154,6 +161,16 @@ def _values(structure: Structure, numbers: Sequence[Number]) -> Iterator[Unmet]:
         if not any(_same(held, v) for _, _, held in numbers for v in (value, *ways)):
             words = structure.text[slice(*span)]
             yield Unmet(text=words, reason=NO_VALUE.format(words), span=span)
+
+
+def _absent(structure: Structure, nouns: Sequence[Mention]) -> Iterator[Unmet]:
+    """The vehicles and animals that the text names and that nobody of S can be."""
+    there = {c.spec.type for c in (structure.ego, *structure.objects) if isinstance(c.spec, EgoSpec | ObjectSpec)}
+    for noun in nouns:
+        known = any(noun.fits(kind) for kind in there) or there & set(KIN.get(noun.type, "").split())
+        if noun.type in WHEELED and not known:
+            words = structure.text[noun.start : noun.end]
+            yield Unmet(text=words, reason=NO_OBJECT, span=(noun.start, noun.end))
 
 
 def _phrases(text: str, left_out: Sequence[str]) -> Iterator[Unmet]:

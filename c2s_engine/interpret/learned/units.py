@@ -1,6 +1,7 @@
 """S back into plain data with the quantities of its text, as the scenes have them."""
 
 import re
+from collections.abc import Iterator
 from typing import Any
 
 from c2s_engine.interpret.learned.quantities import DIMENSIONS, UNITS, si
@@ -14,27 +15,49 @@ OF_FIELD = {
 OF_TRIGGER = {"ttc": "s", "time": "s", "speed": "m/s"}
 OF_LIMIT = {"speed": "m/s", "acceleration": "m/s2", "deceleration": "m/s2", "lateral_acceleration": "m/s2",
             "jerk": "m/s3", "ttc": "s", "time": "s"}  # fmt: skip
-WORDS = {"kph": "km/h", "kmh": "km/h", "metres": "m", "meters": "m", "metre": "m", "feet": "ft", "seconds": "s",
-         "second": "s", "sec": "s", "secs": "s", "yards": "yd", "m/s²": "m/s2"}  # fmt: skip
+WORDS = {
+    **dict.fromkeys(("kph", "kmh", "kilometres per hour", "kilometers per hour", "kilometres an hour"), "km/h"),
+    **dict.fromkeys(("miles per hour", "miles an hour"), "mph"), "metres per second": "m/s", "meters per second": "m/s",
+    **dict.fromkeys(("metres", "meters", "metre", "meter"), "m"), **dict.fromkeys(("feet", "foot"), "ft"),
+    **dict.fromkeys(("yards", "yard"), "yd"), **dict.fromkeys(("seconds", "second", "secs", "sec"), "s"),
+    "m/s²": "m/s2",
+}  # fmt: skip
 NOT_MEASURED = ("arms", "lanes", "lanes_over", "count")
 LEFT_OUT = ("component", "later", "model", "preset", "parameters", "map")
-_TOLD = re.compile(r"\b(\d+(?:\.\d+)?)[\s-]*([a-zA-Z/²]+[23]?)")
+ONES = {word: number for number, word in enumerate([
+    "zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve", "thirteen",
+    "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen"])}  # fmt: skip
+TENS = {word: 10 * number for number, word in enumerate(
+    ["twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety", "hundred"], 2)}  # fmt: skip
+_SPELT = rf"(?:(?:{'|'.join(TENS)})[\s-](?:{'|'.join(ONES)})|one hundred|{'|'.join((*TENS, *ONES))})"
+_UNIT = "|".join(map(re.escape, sorted((*UNITS, *WORDS), key=len, reverse=True)))
+_TOLD = re.compile(rf"\b(?:(\d+(?:\.\d+)?)[\s-]*|({_SPELT})[\s-])({_UNIT})(?![\w/])", re.IGNORECASE)
 
 
 def quantities(text: str) -> list[tuple[tuple[int, int], float, str]]:
     """The quantities of a text: where each stands, its SI value and unit."""
     found = []
-    for match in _TOLD.finditer(text):
-        unit = WORDS.get(match[2], match[2])
-        if unit in UNITS:
-            in_si = next(name for name, units in DIMENSIONS.items() if unit in units)
-            found.append((match.span(), float(si(f"{match[1]}{unit}")), in_si))
+    for span, number, unit in _written(text):
+        in_si = next(name for name, units in DIMENSIONS.items() if unit in units)
+        found.append((span, float(si(f"{number}{unit}")), in_si))
     return found
 
 
 def _told(text: str) -> list[str]:
     """The quantities of a text, as "30 mph"."""
-    return [f"{number} {unit}" for number, word in _TOLD.findall(text) if (unit := WORDS.get(word, word)) in UNITS]
+    return [f"{number} {unit}" for _, number, unit in _written(text)]
+
+
+def _written(text: str) -> Iterator[tuple[tuple[int, int], str, str]]:
+    """Where each quantity of a text stands, its number in digits and its unit."""
+    for match in _TOLD.finditer(text):
+        unit = match[3].lower()
+        yield match.span(), match[1] or str(_number(match[2].lower())), WORDS.get(unit, unit)
+
+
+def _number(spelt: str) -> int:
+    """The number that is spelt ("twenty-five")."""
+    return 100 if "hundred" in spelt else sum(ONES.get(word) or TENS.get(word, 0) for word in re.split(r"[\s-]", spelt))
 
 
 def rooms_in_seconds(answer: str, text: str) -> str:

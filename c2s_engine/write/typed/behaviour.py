@@ -1,6 +1,7 @@
 """Phases to a Scenic behaviour: each becomes one `do`, ended by the next phase's trigger or its own completion."""
 
 from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.sentences import action_of
 from c2s_engine.structure.specs import ObjectSpec, Phase, SettingsSpec, Trigger
 from c2s_engine.write.typed import ahead, lights, scope
 from c2s_engine.write.typed.course import Actor, Course
@@ -25,18 +26,22 @@ SLOW = "5"
 """m/s at which somebody comes up to where it first stands."""
 AT_SIGN = {"run_stop", "stop", "yield", "wait", "stationary"}
 """What says itself what ego does at its stop sign."""
+COMMENTED = 84
+"""Characters of a statement with its comment, in a line of 100."""
 QUEUED = 3.0
 """s for which one stands before the junction, so that those behind come to a stand, too."""
 
 
 def body(actor: Actor) -> list[str]:
-    """The statements of the behaviour (not indented)."""
+    """The statements of the behaviour (not indented), each with what it does as a comment where a phase begins."""
     course = Course(actor)
     out = [f"line = {actor.line}"]
     if actor.value > 0:
         out.append(f"take SetSpeedAction({SLOW if actor.sets_out else actor.speed})")
-    done = _steps(course)
+    done, begun = _steps(course)
     while len(done) > 1 and done[-2][0] == done[-1][0]:  # it goes on with the same for good
+        last = len(done) - 1
+        begun[last - 1] = begun.get(last - 1) or begun.get(last, "")
         del done[-2]
     line = out[0]
     for i, (statements, until) in enumerate(done):
@@ -44,11 +49,11 @@ def body(actor: Actor) -> list[str]:
         out += [s for s in before if s != line]
         line = next((s for s in reversed(before) if s.startswith("line = ")), line)
         last = i == len(done) - 1
-        if last or (not final.startswith("do Drive") and not until):
-            out.append(final)
-        else:
+        if not last and (final.startswith(("do Drive(", "do Stop(")) or until):
             first = ahead.awaited(actor.structure, actor.cid) if i == 0 else 0.0
-            out.append(f"{final} {until or f'for {scope.number(first or 3)} seconds'}")
+            final += f" {until or f'for {scope.number(first or 3)} seconds'}"
+        comment = begun.get(i) if len(done) > 1 else ""
+        out.append(f"{final}  # {comment}" if comment and len(final) + len(comment) < COMMENTED else final)
     return out
 
 
@@ -64,9 +69,11 @@ def _up_to_contact(phases: list[Phase], speed: float) -> list[Phase]:
             for p, b in zip(kept, brakes, strict=True)]  # fmt: skip
 
 
-def _steps(course: Course) -> list[Step]:
+def _steps(course: Course) -> tuple[list[Step], dict[int, str]]:
+    """The steps, and in words what those do, by number, with which a phase begins."""
     phases = phases_of(course.actor)
     done: list[Step] = []
+    begun: dict[int, str] = {}
     course.behind = _overtaken_later(course, phases)
     if not phases or phases[0].trigger is not None or implicit(course, phases[0]):
         done.append(([course.drive(SLOW if course.actor.sets_out else _behind_awaited(course, phases))], ""))
@@ -95,6 +102,8 @@ def _steps(course: Course) -> list[Step]:
         course.behind = _overtaken_later(course, phases[i:])
         home, course.home = course.home, []
         own = steps(course, phase)
+        if own:
+            begun[len(done)] = action_of(phase, course.actor.structure)
         done.extend(own)
         if home:
             done.extend(home)
@@ -108,7 +117,7 @@ def _steps(course: Course) -> list[Step]:
                 done.append(([course.drive(course.set(actor.value or SETS_OUT))], ""))
         if _at_line(course.actor, phase, i) and (turn := its_turn(course.actor)):
             done.append(([course.drive("0", 4)], f"until {turn}"))
-    return done
+    return done, begun
 
 
 def _behind_awaited(course: Course, phases: list[Phase]) -> str | None:

@@ -19,8 +19,8 @@ def behind_junction(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan
     at = position_constant(structure, cid)
     line = f"{at} = {scope.quantity(stations.exit_gap(spec, plan))}  # m behind the junction"
     if stations.near_exit(spec):
-        return _edge(spec, line, member(spec, at), "place.exit_lane", plan)
-    return Spot((line,), (f"at place.exit_lane.centerline.pointAlongBy({member(spec, at)})",), "way(place.exit_lane)")
+        return _edge(spec, [line], member(spec, at), "place.exit_lane", plan)
+    return Spot((line,), (f"at place.exit_lane.centerline.pointAlongBy({member(spec, at)})",), "route(place.exit_lane)")
 
 
 def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
@@ -29,24 +29,25 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
     at = position_constant(structure, cid)
     if (uses_crosswalk(spec) or right_behind(spec)) and (marked := crosswalk(plan)):
         beside = stations.next_to(structure, cid)
-        line = f"{at} = {marked}" + (f" {'+' if beside > 0 else '-'} {scope.number(abs(beside))}" if beside else "")
+        off = f" {'+' if beside > 0 else '-'} {scope.number(abs(beside))}" if beside else ""
+        lines = [f"{at} = {marked}{off}"]
     elif right_behind(spec):  # of what stands in the next lane, or across beside the road
         by = structure[spec.placement.hidden_by or "ego"].spec
         assert isinstance(by, ObjectSpec)
         long = (WIDTH if by.placement.facing == "across" else LENGTH)[by.type]
         beyond = round((long + LENGTH[spec.type]) / 2 + stations.RIGHT_BEHIND + stations.past_others(structure, cid), 2)
-        line = f"{at} = {position_constant(structure, spec.placement.hidden_by or 'ego')} + {scope.number(beyond)}"
+        lines = [f"{at} = {position_constant(structure, spec.placement.hidden_by or 'ego')} + {scope.number(beyond)}"]
     elif at_corner(spec, plan.place):
         return _corner(structure, spec, at, plan)
     elif sign == 0 and stations.stands_there(structure, of):  # just in front of what takes the spot itself
         clear = scope.number(stations.clear_of(structure, spec))
-        line = f"{at} = {position_constant(structure, of)} + {clear}"
+        lines = [f"{at} = {position_constant(structure, of)} + {clear}"]
     elif sign == 0:
         away = stations.from_hider(structure, of)
-        line = f"{at} = {position_constant(structure, stations.base(structure, of, plan))}"
-        line += f" + {scope.number(away)}" if away else ""
+        off = f" + {scope.number(away)}" if away else ""
+        lines = [f"{at} = {position_constant(structure, stations.base(structure, of, plan))}{off}"]
     else:
-        line = measured(structure, cid, spec, plan, sign)
+        lines = measured(structure, cid, spec, plan, sign)
     in_file = spec.count > 1 and uses_crosswalk(spec) and crosswalk(plan)
     along = at if in_file else member(spec, at, sign or 1)
     back = stations.set_back(structure, cid, plan)
@@ -54,7 +55,7 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
         back = WIDTH[spec.type] / 2 - stations.INTO_LANE - stations.outwards(spec)
         if spec.placement.side == "left" and spec.placement.facing is None:  # as those go who come by there
             spec = spec.model_copy(update={"placement": spec.placement.model_copy(update={"facing": "against"})})
-    spot = _edge(spec, line, along, "place.lane", plan, back, IN_FILE if in_file else 0.0)
+    spot = _edge(spec, lines, along, "place.lane", plan, back, IN_FILE if in_file else 0.0)
     if spec.placement.lateral is None or of != "ego":
         return spot
     left, room = spec.placement.side == "left", stations.from_lane(structure, spec)
@@ -80,7 +81,7 @@ def _corner(structure: Structure, spec: ObjectSpec, at: str, plan: Plan) -> Spot
         f"{at[:-3]}_LENGTH = max({length}, EGO_TO_JUNCTION - {scope.number(before)})  # m",
         f"{at} = place.length - {scope.number(stations.CORNER)} - {at[:-3]}_LENGTH / 2  # m along the lane",
     )
-    spot = _edge(spec, lines[0], at, "place.lane", plan)
+    spot = _edge(spec, lines[:1], at, "place.lane", plan)
     return replace(spot, constants=lines, specifiers=(*spot.specifiers, f"with length {at[:-3]}_LENGTH"))
 
 
@@ -94,7 +95,7 @@ def by_door(structure: Structure, spec: ObjectSpec) -> Spot:
 
 
 def _edge(
-    spec: ObjectSpec, constant: str, along: str, lane: str, plan: Plan, back: float = 0.0, step: float = 0.0
+    spec: ObjectSpec, constants: list[str], along: str, lane: str, plan: Plan, back: float = 0.0, step: float = 0.0
 ) -> Spot:
     """Beside the road: outwards from the edge of the lanes, next to where one is so far `along` the lane, and
     so far `back` from there, each of several by a `step` further out."""
@@ -113,7 +114,7 @@ def _edge(
         f"facing {_facing(spec, left)}heading_at({lane}, {along})",
         "with regionContainedIn everywhere",
     )
-    return Spot((constant,), specifiers, f"way({lane})", off_road=True)
+    return Spot(tuple(constants), specifiers, f"route({lane})", off_road=True)
 
 
 def _facing(spec: ObjectSpec, left: bool) -> str:

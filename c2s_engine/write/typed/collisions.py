@@ -80,7 +80,7 @@ def collides(c: Course, p: Phase) -> list[Step]:
     if not in_its_lane(c, p):  # it comes over, unless the other does
         if not side or c.actor.is_ego:
             return _comes_over(c, p, other)
-        waits = f"lambda: pace(self, {other}, {c.speed})"
+        waits = f"lambda: following_speed(self, {other}, {c.speed})"
         until = slowed(c.actor, p.target)
         return [*([([c.drive(waits, 4)], f"until {until} or {LATE}")] if until else []), *_drives_on(c, other)]
     if c.actor.is_ego:
@@ -96,7 +96,7 @@ def collides(c: Course, p: Phase) -> list[Step]:
     if not until:  # nothing else brings it to the other than that it is faster
         c.set(faster)
     elif goal < c.actor.plan.ego_speed + (SLOWER if until == STANDS else -SLOWER):  # it is only as it rolls into ego
-        behind = c.drive(f"lambda: pace(self, {other}, EGO_SPEED, {CLOSE})", 4)
+        behind = c.drive(f"lambda: following_speed(self, {other}, EGO_SPEED, {CLOSE})", 4)
         rolls = c.drive(f"max(self.speed, {scope.number(ROLLS)})")
         return [([behind], f"until {until} or {LATE}"), ([rolls], f"until touch(self, {other})"), _stands(c)]
     return _drives_on(c, other)
@@ -198,7 +198,7 @@ def too_late(c: Course, p: Phase) -> str:
     soon = c.actor.is_ego and not getattr(c.actor.spec, "hard", False)
     if goal is None or hit is None or soon and not ways_cross(c, hit):
         return ""
-    return f"until into(self, {c.actor.ref(hit.target)}, {scope.number(round(goal, 1))}) > {TOO_LATE}"
+    return f"until braking_to_hit(self, {c.actor.ref(hit.target)}, {scope.number(round(goal, 1))}) > {TOO_LATE}"
 
 
 def brakes_into(c: Course, p: Phase) -> list[Step] | None:
@@ -216,7 +216,7 @@ def brakes_into(c: Course, p: Phase) -> list[Step] | None:
     if waits and not ways_cross(c, hit):  # as soon as its trigger says
         rate = HARD if getattr(c.actor.spec, "hard", False) else None
         return [([c.drive(speed, rate)], f"until touch(self, {other})")]
-    return [*waits, ([c.drive(speed, f"lambda: into(self, {other}, {speed})")], f"until {until_then}")]
+    return [*waits, ([c.drive(speed, f"lambda: braking_to_hit(self, {other}, {speed})")], f"until {until_then}")]
 
 
 def ways_cross(c: Course, hit: Phase) -> bool:

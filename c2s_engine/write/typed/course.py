@@ -17,7 +17,7 @@ GENTLY = {"bicycle", "truck", "bus", "fire_truck"}
 GENTLE = 2.4
 """m/s2 by which the speed of riders and heavy vehicles changes, where nothing says how."""
 USUAL_GAP, USUAL_HEADWAY = 4.0, 1.5
-"""m and s: how one follows another, as `pace` in the driving library has it."""
+"""m and s: how one follows another, as `following_speed` in the driving library has it."""
 HALF_LANE = 1.75
 """m from the lane's middle to its edge, on most maps."""
 IN_ITS_WAY = 0.5
@@ -86,21 +86,22 @@ class Course:
     def drive(
         self, speed: str | None = None, rate: float | str | None = None, offset: str = "", shift: float | None = None
     ) -> str:
-        """The `do Drive` at a speed (the one in force), rate (m/s2), offset (m to the left), shift (m/s)."""
+        """The `do Drive` at a speed (the one in force; "0": `do Stop`), rate (m/s2), offset (m to the
+        left), shift (m/s)."""
         goal = self._guarded(speed if speed is not None else self.cruise())
         rate = rate or (GENTLE if self.actor.spec.type in GENTLY else None)
         extra = f", rate={rate if isinstance(rate, str) else scope.number(rate)}" if rate else ""
         offset = offset or (WHERE_IT_IS if self.out else self.aside)
         extra += f", offset={offset}" if offset else ""
         extra += f", shift={scope.number(shift)}" if shift else ""
-        return f"do Drive(line, {goal}{extra})"
+        return f"do Stop(line{extra})" if goal == "0" else f"do Drive(line, {goal}{extra})"
 
     def _guarded(self, goal: str) -> str:
         """The speed that keeps it from running into whom it overtakes later."""
         expression = goal.removeprefix("lambda: ")
         if not self.behind or goal == "0" or f"(self, {self.behind}, " in goal:
             return goal
-        return f"lambda: pace(self, {self.behind}, {expression})"
+        return f"lambda: following_speed(self, {self.behind}, {expression})"
 
     def cruise(self) -> str:
         """The speed in force, or the pace behind whom ego follows."""
@@ -109,7 +110,7 @@ class Course:
             speed = self.speed if self.value > 0 else scope.number(DEFAULT_SPEED["car"]["road"])  # it moves off with it
             return self.pacing(spec.react_to, speed)
         if self.actor.is_ego and self.lane == 0 and (slower := self._slower_ahead()):
-            return f"lambda: pace(self, {self.actor.ref(slower)}, {self.speed})"
+            return f"lambda: following_speed(self, {self.actor.ref(slower)}, {self.speed})"
         return self.speed
 
     def _slower_ahead(self) -> str | None:
@@ -140,11 +141,12 @@ class Course:
             gap = gap if gap < USUAL_GAP + USUAL_HEADWAY * pace else None
         if gap is not None:
             seconds, standing = lateral.headway(gap, pace)
-            keeps = f", headway={scope.number(seconds)}" + (f", standing={scope.number(standing)}" if gap < 4 else "")
+            near = f", standstill_gap={scope.number(standing)}" if gap < 4 else ""
+            keeps = f", headway={scope.number(seconds)}{near}"
         leaves = lead is not None and any(p.action in ("cut_out", "lane_change", "leave_road") for p in lead.phases)
         if self.actor.is_ego and of is not None and (leaves or self.actor.plan.lane_of.get(of) != self.lane):
             keeps += ", points=line"  # while it is there
-        return f"lambda: pace(self, {self.actor.ref(cid)}, {speed}{keeps})"
+        return f"lambda: following_speed(self, {self.actor.ref(cid)}, {speed}{keeps})"
 
     def set(self, value: float) -> str:
         """Drive at another speed (m/s) from now on; the cruising constant stays where it is the same."""
@@ -177,7 +179,7 @@ class Course:
             turn = ", place.turn"
         elif plan.junction and any(p.action in TURN for p in phases):
             turn = ", place.turn" if self.actor.is_ego and self.lane == 0 else f", {turn_of(phases)}"
-        return f"line = way({LANE_NAME[self.lane or 0]}{'' if turn == ', STRAIGHT' else turn})"
+        return f"line = route({LANE_NAME[self.lane or 0]}{'' if turn == ', STRAIGHT' else turn})"
 
     # How it stands to others.
 

@@ -54,6 +54,6 @@ def shift_of(phase: Phase) -> float:
 
 
 def headway(gap: float, speed: float) -> tuple[float, float]:
-    """(s, m) for `pace`: how the gap that one keeps at a speed grows with that, and what it is at a stand."""
+    """(s, m) for `following_speed`: how the gap that one keeps grows with the speed, and what it is at a stand."""
     standing = min(gap, 4.0)
     return (gap - standing) / max(speed, 1.0), standing

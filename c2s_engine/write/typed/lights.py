@@ -42,7 +42,8 @@ def of_all(structure: Structure, plan: Plan, spec: EgoSpec) -> list[str]:
     waits = goes_on and not on_red and "run_red" not in actions
     if settings.light == "red" and waits and plan.place.control == "signal":
         arguments.append("turns_green=True")
-    return [f"require monitor Lights({', '.join(arguments)})"]
+    comment = f"ego's is {shown}" if arguments else "all are green"
+    return [f"require monitor Lights({', '.join(arguments)})  # in CARLA: {comment}"]
 
 
 def first(settings: SettingsSpec) -> str:

@@ -241,6 +241,6 @@ def _slower(phases: list[Phase], lane: str = "place.lane") -> str:
 def way_of_ego(plan: Plan) -> str:
     """Ego's way, in the program."""
     if not plan.turning:
-        return "way(place.lane)"
+        return "route(place.lane)"
     bearing = BEARING.get(plan.place.manoeuvre or "") if plan.place.kind == "roundabout" else None
-    return f"way(place.lane, place.turn, {bearing})" if bearing else "way(place.lane, place.turn)"
+    return f"route(place.lane, place.turn, {bearing})" if bearing else "route(place.lane, place.turn)"

@@ -44,7 +44,7 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
     if not c.oncoming_both(p) and lane_is_cleared(p, c.party(p.target)):
         away = scope.number(round(HALF_LANE + WIDTH[c.party(p.target).type] / 2, 1))  # type: ignore[union-attr]
         gone = f"until {LANE_NAME[c.lane or 0]}.centerline.distanceTo({c.actor.ref(p.target)}.position) > {away}"
-        behind = c.drive(f"lambda: pace(self, {nearest(c, p)}, {c.actor.speed}, {HEADWAY})", 4)
+        behind = c.drive(f"lambda: following_speed(self, {nearest(c, p)}, {c.actor.speed}, {HEADWAY})", 4)
         c.behind = ""
         return [([behind], gone), ([c.drive()], f"until {past}")]
     waits = _waits(c, p)
@@ -101,7 +101,7 @@ def _ahead(c: Course, p: Phase) -> str:
 def _breaks_off(c: Course, p: Phase, out: list[str], back: list[str], aside: str) -> list[Step]:
     """Out beside the other's tail, or until what comes next, and back behind it after that."""
     other, closing = nearest(c, p), _top(c, p) - c.target_speed(p)
-    behind = f"lambda: pace(self, {other}, {c.speed}, {HEADWAY})"
+    behind = f"lambda: following_speed(self, {other}, {c.speed}, {HEADWAY})"
     slower = [out[-1].replace(f"line, {c.speed}", f"line, lambda: max(0, {other}.speed - 3)")]
     if _spoiled_by(c, p) is not None:
         far = f"until lead_on(self, {other}) < -6 - self.length"
@@ -150,7 +150,7 @@ def _waits(c: Course, p: Phase) -> list[Step]:
     if any(o.id == ego.react_to or hits_ego(o.spec) or is_hit(ego, o.id) for o in comes):  # type: ignore[arg-type]
         return []
     gone = [f"(passed({one}, self, 0) or {one}.speed < 0.3)" for o in comes for one in members(c.actor.structure, o.id)]
-    behind = c.drive(f"lambda: pace(self, {nearest(c, p)}, {c.actor.speed}, {HEADWAY})", 5)
+    behind = c.drive(f"lambda: following_speed(self, {nearest(c, p)}, {c.actor.speed}, {HEADWAY})", 5)
     return [([behind], f"until {' and '.join(gone)}")] if gone else []
 
 

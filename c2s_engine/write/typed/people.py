@@ -307,16 +307,16 @@ def rider(structure: Structure, cid: str, plan: Plan) -> list[str]:
     due = _sets_out(structure, cid, spec, spec.phases[i], plan, own, RIDER_GAINS)
     return [
         f"line = {_egos_way(plan)}",
-        f"do Drive(straight_on(self), 0) until {due}",
+        f"do Stop(straight_on(self)) until {due}",
         f"far = to_far_side(self, line, self.heading) + {RUN_OUT}",
         f"do {drive} until along_line(line, self.position)[1] < 1.5" if stops else f"do {drive}",
-        *(["do Drive(straight_on(self), 0)"] if stops else []),
+        *(["do Stop(straight_on(self))"] if stops else []),
     ]
 
 
 def _egos_way(plan: Plan) -> str:
     """The way on which somebody meets ego."""
-    return way_of_ego(plan) if plan.turning else f"way({LANE_NAME[0]})"
+    return way_of_ego(plan) if plan.turning else f"route({LANE_NAME[0]})"
 
 
 def states_when(spec: ObjectSpec) -> bool:

@@ -27,7 +27,7 @@ def write_place(plan: Plan) -> str:
     if plan.place.speed_limit is not None:
         lines.append(f"param speed_limit = {number(round(plan.place.speed_limit * 3.6))}  # km/h, as posted")
     if _ordinary(plan):
-        lines += call(plan).lines("place = Uniform(*usual(", f"{_suits(plan)}))")
+        lines += call(plan).lines("place = Uniform(*ordinary(", f"{_suits(plan)}))")
     else:
         lines += call(plan).lines("place = Uniform(*", ")")
     lines += _start(plan)
@@ -67,7 +67,7 @@ def call(plan: Plan, share: float = 0.0, across: bool = False) -> Call:
     return place_call(
         spec,
         length=plan.before + plan.after,
-        least=plan.before + EGO_VARIES + plan.reach if plan.reach > 0 else 0.0,
+        min_length=plan.before + EGO_VARIES + plan.reach if plan.reach > 0 else 0.0,
         approach=high(plan.distance) + plan.before if plan.distance is not None else 0.0,
         exit_room=0 if short else plan.exit_room,
         others=sources(plan),

@@ -67,7 +67,7 @@ def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) 
         turn = turn_of(first.spec.phases)
         lane = "place.ramp" if place == "on_ramp" else _approach(plan, first.id, place, turn)
         own = turn_of(spec.phases, turn)
-        way = f"way({lane})" if place == "on_ramp" else _way_over(plan, lane, own)
+        way = f"route({lane})" if place == "on_ramp" else _way_over(plan, lane, own)
         line = f"{name} = {base}{_TO_END[place]} {op} {gap} {op} {half}  # m"
         at = f"-({member(spec, name)})" if behind else f"-({member(spec, f'max(1, {name})')})"
         return Spot(
@@ -83,7 +83,7 @@ def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) 
         line = f"{name} = {base}_AT {op} {gap} {op} {half}  # m along the lane"
         lane, sign = ("place.oncoming_lane", "-") if place == "oncoming_lane" else ("place.exit_lane", "")
         at = f"{sign}({member(spec, name)})" if sign else f"max(1, {member(spec, name)})"
-        return Spot((line,), (f"at {lane}.centerline.pointAlongBy({at})", *loose), f"way({lane})")
+        return Spot((line,), (f"at {lane}.centerline.pointAlongBy({at})", *loose), f"route({lane})")
     where = "behind" if behind else "ahead of"
     if spec.type in WORKS:  # made around a point
         gap = f"{gap} + {scope.number(LENGTH[spec.type] / 2)}"
@@ -91,7 +91,7 @@ def _in_line_with(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) 
     return Spot(
         (),
         (f"{where} {next_to} by {member(spec, gap)}", "with regionContainedIn everywhere"),
-        "way(place.lane)",
+        "route(place.lane)",
         off_road=True,
     )
 
@@ -107,11 +107,12 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
             f" + {scope.quantity(gap)}" if gap else ""
         )]  # fmt: skip
     else:
-        lines = [before_crosswalk(structure, cid, plan) or measured(structure, cid, spec, plan, sign)]
+        marked = before_crosswalk(structure, cid, plan)
+        lines = [marked] if marked else measured(structure, cid, spec, plan, sign)
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
     if way_beside := offset(spec, ego, plan.place):
-        turn = f"way({lane}, {turn_of(spec.phases)})"
+        turn = f"route({lane}, {turn_of(spec.phases)})"
         lines = meetings.start(structure, cid, plan, lane, turn, at) or lines
     reached = member(spec, at, sign or 1)
     if plan.place.kind == "on_ramp" and k > 0:  # the lanes meet at their ends
@@ -125,13 +126,13 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
         )
     if is_walker(spec):
         specifiers += ("with regionContainedIn everywhere",)
-    way = f"way({lane}, place.turn)" if plan.junction and k == 0 and not turn_given(spec) else f"way({lane})"
+    way = f"route({lane}, place.turn)" if plan.junction and k == 0 and not turn_given(spec) else f"route({lane})"
     if turn_given(spec):
         round_it = plan.place.kind == "roundabout"
-        way = _way_over(plan, lane, turn_of(spec.phases)) if round_it else f"way({lane}, {turn_of(spec.phases)})"
+        way = _way_over(plan, lane, turn_of(spec.phases)) if round_it else f"route({lane}, {turn_of(spec.phases)})"
     if spec.placement.facing == "against":
         specifiers += ("facing 180 deg relative to roadDirection",)
-        way = f"way({lane})[::-1]"
+        way = f"route({lane})[::-1]"
     return Spot(tuple(lines), specifiers, way, lane=k if spec.placement.facing != "against" else None)
 
 
@@ -175,15 +176,14 @@ def _there(structure: Structure, cid: str, plan: Plan, lane: str, along: str) ->
 def _way_over(plan: Plan, lane: str, turn: str) -> str:
     """The way from an approach over the junction; into a roundabout one turns right, and leaves it by its bearing."""
     if plan.place.kind != "roundabout":
-        return f"way({lane})" if turn == "STRAIGHT" else f"way({lane}, {turn})"
+        return f"route({lane})" if turn == "STRAIGHT" else f"route({lane}, {turn})"
     if lane == APPROACH_NAME["circulating"]:  # past ego's entry and on in the ring, or out of it right before that
-        return f"way({lane}, RIGHT_TURN)" if turn == "RIGHT_TURN" else f"way({lane}, LEFT_TURN, 90 deg)"
+        return f"route({lane}, RIGHT_TURN)" if turn == "RIGHT_TURN" else f"route({lane}, LEFT_TURN, 90 deg)"
     bearing = {"LEFT_TURN": ", 90 deg", "RIGHT_TURN": ", -90 deg"}.get(turn, "")
-    return f"way({lane}, RIGHT_TURN{bearing})"
+    return f"route({lane}, RIGHT_TURN{bearing})"
 
 
 def _oncoming(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
-    line = measured(structure, cid, spec, plan, 1)
     at = position_constant(structure, cid)
     loose = () if is_vehicle(spec.type) else ("with regionContainedIn everywhere",)
     where: tuple[str, ...] = (f"at place.oncoming_lane.centerline.pointAlongBy(-({member(spec, at)}))",)
@@ -193,9 +193,9 @@ def _oncoming(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> S
         where = (at_kerb, f"facing heading_at({lane}, {along})")
         loose = ("with regionContainedIn everywhere",)
     return Spot(
-        (line,),
+        tuple(measured(structure, cid, spec, plan, 1)),
         (*where, *loose),
-        "way(place.oncoming_lane)",
+        "route(place.oncoming_lane)",
     )
 
 
@@ -213,5 +213,5 @@ def _on_ramp(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
     return Spot(
         (f"{name} = {start}",),
         (f"at place.ramp.centerline.pointAlongBy({at})", *loose),
-        "way(place.ramp)",
+        "route(place.ramp)",
     )

@@ -130,7 +130,7 @@ def _reaction(actor: Actor, statements: list[str]) -> list[str]:
             force = _force(threats)
             room = (f"gap(self, {every(actor.structure, c)}) > self.speed" for c in ring)
             over = " and ".join([f"{force} <= 0", *room])
-            brakes = f"do Drive(line, 0, rate=lambda: max({scope.number(rate)}, min(9, 1.1 * {force}))) until {over}"
+            brakes = f"do Stop(line, rate=lambda: max({scope.number(rate)}, min(9, 1.1 * {force}))) until {over}"
         return [*_around(statements, threats, limit, brakes), *_goes_on_behind(actor, cids)]
     others = [] if spec.react_to else once_seen(actor.structure, [c for c in cids if c not in on_foot])
     before_them = _ends_standing(actor.structure) or stands and not stops_for.isdisjoint({None, *on_foot})
@@ -151,7 +151,8 @@ def _goes_on_behind(actor: Actor, cids: list[str]) -> list[str]:
         return []
     if any(p.action != "keep_lane" for p in o.phases):  # type: ignore[union-attr]
         return []
-    return [f"    do Drive(line, lambda: pace(self, {scope.reference(actor.structure, cid)}, {actor.speed}))"]
+    one = scope.reference(actor.structure, cid)
+    return [f"    do Drive(line, lambda: following_speed(self, {one}, {actor.speed}))"]
 
 
 def _hardest(structure: Structure) -> float:
@@ -209,7 +210,7 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     things = [scope.reference(s, c) for c in sorted(map(str, hit)) if c in s and _beside(s, c) and _stands(s, c)]
     far = "".join(f"not near(self, {one}) and " for one in things)
     near, seen = "".join(f" or near(self, {one})" for one in things), once_seen(s, others)
-    brakes = f"do Drive(line, 0, rate={rate}) until {_force(seen)} <= 0{near}" if seen else ""
+    brakes = f"do Stop(line, rate={rate}) until {_force(seen)} <= 0{near}" if seen else ""
     lines = _around(statements, seen, 6, brakes, when=far)
     pairs = zip(spec.phases, spec.phases[1:], strict=False)
     own = [(p, then.target) for p, then in pairs if (p.action, then.action) == ("brake", "collide")
@@ -222,7 +223,7 @@ def _too_late(actor: Actor, statements: list[str], cids: list[str], hit: set[str
     movers = [c for c in met if c not in by_way and not (_beside(s, c) and _stands(s, c))]
     for c in movers:
         one = scope.reference(s, c)
-        need = f"need(self, {one})"
+        need = f"braking_needed(self, {one})"
         when, until, aside = f"{need} > 6", f"{need} <= 0", f", offset={WHERE_IT_IS}"
         if _crosses(s, c):
             when, aside = f"in_way(line, {one}, seconds=FORESEEN)", ""
@@ -256,9 +257,8 @@ def _beside(structure: Structure, cid: str) -> bool:
 
 def _force(threats: list[str]) -> str:
     """The need (m/s2) to brake for one or several."""
-    if len(threats) > 1 or threats[0].startswith("*"):
-        return f"most_need(self, [{', '.join(threats)}])"
-    return f"need(self, {threats[0]})"
+    alone = threats[0].removeprefix("*") if len(threats) == 1 else f"[{', '.join(threats)}]"
+    return f"braking_needed(self, {alone})"
 
 
 def _stop_for(actor: Actor, on_foot: list[str], hard: bool, stands: bool) -> list[str]:
@@ -271,8 +271,8 @@ def _stop_for(actor: Actor, on_foot: list[str], hard: bool, stands: bool) -> lis
     room = _room(actor, on_foot)
     more += f", room={scope.number(room)}" if room is not None else ""
     return [
-        f"interrupt when {_force([in_sight(s, c) for c in on_foot])} > {scope.number(limit)}:",
-        f"    do StopShortOf(line, [{they}], {actor.speed}{more})",
+        f"interrupt when {_force([in_sight(s, c) for c in on_foot])} > {scope.number(limit)}:  # m/s2",
+        f"    do YieldTo(line, [{they}], {actor.speed}{more})",
     ]
 
 
@@ -343,7 +343,7 @@ def _around(statements: list[str], threats: list[str], limit: float, brakes: str
     around = [*head, "try:", *(f"    {s}" for s in rest)]
     if not threats:
         return around
-    return [*around, f"interrupt when {when}{_force(threats)} > {scope.number(limit)}:", f"    {brakes}"]
+    return [*around, f"interrupt when {when}{_force(threats)} > {scope.number(limit)}:  # m/s2", f"    {brakes}"]
 
 
 def _brakes(threats: list[str], least: float = SOFT, release: float = 0, stands: float = 0) -> str:

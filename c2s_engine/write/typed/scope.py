@@ -11,7 +11,7 @@ from c2s_engine.write.typed.tables import RESERVED, WORKS
 
 def number(value: float) -> str:
     """A number as short as two decimals allow."""
-    return f"{value:.2f}".rstrip("0").rstrip(".") or "0"
+    return f"{round(value, 2) + 0.0:.2f}".rstrip("0").rstrip(".") or "0"
 
 
 def quantity(value: float | tuple[float, float]) -> str:

@@ -26,14 +26,16 @@ def position_constant(structure: Structure, cid: str) -> str:
     return "EGO_AT" if cid in ("ego", "E") else f"{scope.constant(structure, cid)}_AT"
 
 
-def measured(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, sign: int) -> str:
-    """`X_AT = OTHER_AT + gap + half lengths`."""
+def measured(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan, sign: int) -> list[str]:
+    """`X_GAP = gap` and `X_AT = OTHER_AT + X_GAP + half lengths`."""
     start, gap, half = stations.from_base(structure, spec, plan, sign)
-    op = "+" if sign > 0 else "-"
-    text = scope.quantity(gap)
-    tail = f" {op} {text}" if text != "0" else ""
-    base = position_constant(structure, start)
-    return f"{position_constant(structure, cid)} = {base}{tail} {op} {scope.number(half)}  # m along the lane"
+    op, at = "+" if sign > 0 else "-", position_constant(structure, cid)
+    base, halves = position_constant(structure, start), scope.number(half)
+    text, name = scope.quantity(gap), f"{at.removesuffix('_AT')}_GAP"
+    if text == "0":
+        return [f"{at} = {base} {op} {halves}  # m along the lane"]
+    along = f"{at} = {base} {op} {name} {op} {halves}  # m along the lane; their bodies take {halves}"
+    return [f"{name} = {text}  # m, bumper to bumper", along]
 
 
 def member(spec: ObjectSpec, base: str, sign: int = 1) -> str:

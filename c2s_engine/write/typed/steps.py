@@ -214,7 +214,7 @@ def _u_turn(c: Course, p: Phase) -> list[Step]:
     back = c.drive(scope.number(c.wanted(p, 8)))
     if hit := hit_next(c, p):
         return [(["do TurnRound()"], f"until near(self, {c.actor.ref(hit.target)})")]
-    return [(["do TurnRound()"], ""), (["line = way(place.oncoming_lane)", back], "")]
+    return [(["do TurnRound()"], ""), (["line = route(place.oncoming_lane)", back], "")]
 
 
 def _reverse(c: Course, p: Phase) -> list[Step]:
@@ -286,7 +286,7 @@ def _enter_road(c: Course, p: Phase) -> list[Step]:
     goal = c.wanted(p, c.actor.value or 7)
     c.value, c.speed = goal, scope.number(goal)
     drive = c.drive(scope.number(goal), middle(p.rate) if p.rate else PULLS_OUT)
-    return [(["line = way(place.lane)", drive], ending(p, "for 5 seconds"))]
+    return [(["line = route(place.lane)", drive], ending(p, "for 5 seconds"))]
 
 
 # Out of the lane.

@@ -104,7 +104,8 @@ def in_sight(structure: Structure, cid: str) -> str:
         return f"*([{name}] if {name}.speed > 0 else [])"
     if by is None or by not in structure:
         return name
-    return f"*in_view(self, [{name}], [{every(structure, by)}])"
+    seen, hiders = (one.removeprefix("*") if one[0] == "*" else f"[{one}]" for one in (name, every(structure, by)))
+    return f"*in_view(self, {seen}, {hiders})"
 
 
 def once_seen(structure: Structure, cids: list[str]) -> list[str]:

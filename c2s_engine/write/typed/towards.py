@@ -53,7 +53,7 @@ def yields(c: Course, p: Phase) -> list[Step]:
         return [*_until_forced(c, p, other), go]
     end = f"{lane}.centerline[-1]"
     if _in_front(c, p):  # it is ahead: behind it up to the junction, until it has gone on over it
-        behind = f"do Drive(line, lambda: pace(self, {other}, {c.speed}), rate=4)"
+        behind = f"do Drive(line, lambda: following_speed(self, {other}, {c.speed}), rate=4)"
         clear = f"(distance from {other} to {end}) > 14 and (distance from self to {end}) < 14"
         return [([behind], f"until {clear}"), (go[0], "")]
     near = f"until to_line(self, {lane}) < 0.5 + self.speed ** 2 / 6"
@@ -138,7 +138,7 @@ def _let_by(c: Course, other: str) -> list[Step]:
     """Slower than the other, and behind what stands in its way, until that one is ahead."""
     stands = standing(c.actor.structure, c.actor.plan.lane_of)
     goal = f"max(0, min({scope.number(0.8 * c.value)}, {other}.speed - 3))"
-    slower = f"lambda: pace(self, {c.actor.ref(stands)}, {goal})" if stands else f"lambda: {goal}"
+    slower = f"lambda: following_speed(self, {c.actor.ref(stands)}, {goal})" if stands else f"lambda: {goal}"
     return [([c.drive(slower, 2)], f"until ahead_by({other}, self) > 2")]
 
 
@@ -171,10 +171,11 @@ def _until_forced(c: Course, p: Phase, other: str) -> list[Step]:
         they = every(a.structure, p.target)
         before = f"lambda: short_of(self, line, [{they}], {c.speed}, 2.5, {ROOM})"
         sets_out = "" if is_static(spec) or walks_first(spec) else f" or {other}.speed > 0.3"
-        return [([c.drive()], f"until need(self, {other}) > 2{sets_out}"), ([c.drive(before, 5)], waits)]
+        return [([c.drive()], f"until braking_needed(self, {other}) > 2{sets_out}"), ([c.drive(before, 5)], waits)]
     if spec.placement.position == "on_ramp":  # it comes in ahead: no more room than that takes
         near = f"(distance from self to {other}) < 40 and lead_on(self, {other}) > -40"
-        pace = f"lambda: max({scope.number(0.7 * a.value)}, pace(self, {other}, {scope.number(0.9 * a.value)}, 0.5))"
+        least, most = scope.number(0.7 * a.value), scope.number(0.9 * a.value)
+        pace = f"lambda: max({least}, following_speed(self, {other}, {most}, 0.5))"
     else:
         beside = c.target_lane(p) in (1, -1) and spec.placement.along == "ahead"
         near = f"{other}.speed > 0.5 and (distance from self to {other}) < 5 + 5 * self.speed"
@@ -197,7 +198,7 @@ def _waits_for_oncoming(c: Course, other: str) -> list[Step]:
     """Behind what stands in its lane, behind whom it overtakes then, or before where they would meet."""
     stands, gone = standing(c.actor.structure, c.actor.plan.lane_of), f"until passed({other}, self, 0)"
     if c.behind and not stands:
-        return [([c.drive(f"lambda: pace(self, {c.behind}, {c.speed})", 4)], gone)]
+        return [([c.drive(f"lambda: following_speed(self, {c.behind}, {c.speed})", 4)], gone)]
     near = f"(distance from self to {other}) < 5 * self.speed"
     if stands:
         near = f"(distance from self to {c.actor.ref(stands)}) < 14 + self.speed ** 2 / 6"

@@ -130,7 +130,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         still = cid is not None and (o := course.other(cid)) is not None and is_static(o)
         limit = (2 if still else 1.2) if aside else 4 if hard else 2
         them = once_seen(a.structure, [cid])[0] if cid else a.ref(cid)
-        need = f"most_need(self, [{them}])" if them.startswith("*") else f"need(self, {them})"
+        need = f"braking_needed(self, {them.removeprefix('*')})"
         met = any(p.action == "collide" for p in a.spec.phases)
         also = f" or near(self, {a.ref(cid)})" if met else ""
         if phase.action == "stop" and is_stopped(a.spec) and not on_foot(a.structure) and a.value > 0:
@@ -168,7 +168,7 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         return f"until (distance from self to ego) < {scope.number(12 + 2.2 * (a.value + a.plan.ego_speed))}"
     if first and phase.action in ("brake", "stop") and _comes_over(a):
         as_fast = a.value < a.plan.ego_speed + NO_FASTER  # ego is no hindrance, and one makes room for it
-        return "until need(self, ego) > 1" + (" or off_lane(ego)" if as_fast else "")
+        return "until braking_needed(self, ego) > 1" + (" or off_lane(ego)" if as_fast else "")
     if phase.action == "yield" and first and in_next_lane(course, phase):
         return _undisturbed(a)
     if phase.action == "start" and first and a.lane is not None and a.value <= 0:  # it stands

@@ -14,24 +14,25 @@ EGO_AT = Range(35, 55)  # m along its lane
 EGO_SPEED = 10  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1
 RAMMER_SPEED = 18  # m/s
-RAMMER_AT = EGO_AT - 20 - 5  # m along the lane
+RAMMER_GAP = 20  # m, bumper to bumper
+RAMMER_AT = EGO_AT - RAMMER_GAP - 5  # m along the lane; their bodies take 5
 
 behavior RammerBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(RAMMER_SPEED)
-    do Drive(line, RAMMER_SPEED) until touch(self, ego)
-    do Drive(line, 0, rate=6)
+    do Drive(line, RAMMER_SPEED) until touch(self, ego)  # hits ego
+    do Stop(line, rate=6)
 
 rammer = new Car at place.lane.centerline.pointAlongBy(RAMMER_AT),
     with blueprint Uniform(*CARS),

@@ -7,32 +7,33 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(length=375, least=130, ego_lane='rightmost', speed=15))
+place = Uniform(*stretches(length=375, min_length=130, ego_lane='rightmost', speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
 EGO_SPEED = 13.9  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when need(self, walker) > 3:
-        do StopShortOf(line, [walker], EGO_SPEED)
+    interrupt when braking_needed(self, walker) > 3:  # m/s2
+        do YieldTo(line, [walker], EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1
 WALKER_SPEED = 1.4  # m/s
-WALKER_AT = EGO_AT + 81.91 + 2.85  # m along the lane
+WALKER_GAP = 81.91  # m, bumper to bumper
+WALKER_AT = EGO_AT + WALKER_GAP + 2.85  # m along the lane; their bodies take 2.85
 WALKER_ARRIVES = Range(-0.2, 0)  # s after ego in the middle of its way, unhindered
 
 behavior WalkerBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     do Stand() until sets_out(self, ego, line, WALKER_SPEED, WALKER_ARRIVES)
     do Walk(self.heading, WALKER_SPEED, to_far_side(self, line, self.heading))
 

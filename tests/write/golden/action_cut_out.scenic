@@ -7,14 +7,14 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*motorways(length=525, least=82, lanes=2, ego_lane='rightmost', speed=22.5))
+place = Uniform(*motorways(length=525, min_length=82, lanes=2, ego_lane='rightmost', speed=22.5))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
 EGO_SPEED = 22  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
@@ -24,14 +24,15 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
 
 ## O1
 LEAD_SPEED = 22  # m/s
-LEAD_AT = EGO_AT + 30 + 5  # m along the lane
+LEAD_GAP = 30  # m, bumper to bumper
+LEAD_AT = EGO_AT + LEAD_GAP + 5  # m along the lane; their bodies take 5
 
 behavior LeadBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(LEAD_SPEED)
     do Drive(line, LEAD_SPEED) for 3 seconds
-    line = way(place.left_lane)
-    do Drive(line, LEAD_SPEED)
+    line = route(place.left_lane)
+    do Drive(line, LEAD_SPEED)  # leaves the lane of ego to the left
 
 lead = new Car at place.lane.centerline.pointAlongBy(LEAD_AT),
     with blueprint Uniform(*CARS),

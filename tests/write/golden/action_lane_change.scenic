@@ -7,14 +7,14 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*motorways(length=525, least=82, lanes=2, ego_lane='rightmost', speed=22.5))
+place = Uniform(*motorways(length=525, min_length=82, lanes=2, ego_lane='rightmost', speed=22.5))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
 EGO_SPEED = 22  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
@@ -24,14 +24,15 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
 
 ## O1
 CHANGER_SPEED = 22  # m/s
-CHANGER_AT = EGO_AT + 30 + 5  # m along the lane
+CHANGER_GAP = 30  # m, bumper to bumper
+CHANGER_AT = EGO_AT + CHANGER_GAP + 5  # m along the lane; their bodies take 5
 
 behavior ChangerBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(CHANGER_SPEED)
     do Drive(line, CHANGER_SPEED) for 3 seconds
-    line = way(place.left_lane)
-    do Drive(line, CHANGER_SPEED)
+    line = route(place.left_lane)
+    do Drive(line, CHANGER_SPEED)  # changes lane to the left
 
 changer = new Car at place.lane.centerline.pointAlongBy(CHANGER_AT),
     with blueprint Uniform(*CARS),

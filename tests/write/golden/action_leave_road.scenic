@@ -7,28 +7,29 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(length=325, least=82, ego_lane='rightmost', speed=15))
+place = Uniform(*stretches(length=325, min_length=82, ego_lane='rightmost', speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
 EGO_SPEED = 14  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1
 LOSER_SPEED = 14  # m/s
-LOSER_AT = EGO_AT + 30 + 5  # m along the lane
+LOSER_GAP = 30  # m, bumper to bumper
+LOSER_AT = EGO_AT + LOSER_GAP + 5  # m along the lane; their bodies take 5
 
 behavior LoserBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(LOSER_SPEED)
     do Drive(line, LOSER_SPEED) for 3 seconds
     do Drive(line, LOSER_SPEED, offset=-place.lane.group.rightEdge.distanceTo(self.position) - 4, shift=2)

@@ -7,25 +7,26 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(length=375, least=104, ego_lane='rightmost', speed=15))
+place = Uniform(*stretches(length=375, min_length=104, ego_lane='rightmost', speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
 EGO_SPEED = 13.9  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1
 WALKER_SPEED = 1.4  # m/s
-WALKER_AT = EGO_AT + 55.6 + 2.85  # m along the lane
+WALKER_GAP = 55.6  # m, bumper to bumper
+WALKER_AT = EGO_AT + WALKER_GAP + 2.85  # m along the lane; their bodies take 2.85
 
 behavior WalkerBehavior():
     do Walk(self.heading, WALKER_SPEED)

@@ -14,7 +14,7 @@ EGO_AT = Range(35, 55)  # m along its lane
 EGO_SPEED = 20  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
@@ -24,15 +24,16 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
 
 ## O1
 PASSER_SPEED = 28  # m/s
-PASSER_AT = EGO_AT - 20 - 5  # m along the lane
+PASSER_GAP = 20  # m, bumper to bumper
+PASSER_AT = EGO_AT - PASSER_GAP - 5  # m along the lane; their bodies take 5
 
 behavior PasserBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(PASSER_SPEED)
     do Drive(line, PASSER_SPEED) until gap(self, ego) < 25.6
-    line = way(place.left_lane)
+    line = route(place.left_lane)
     do Drive(line, PASSER_SPEED) until lead_on(self, ego) > 10 + self.length
-    line = way(place.lane)
+    line = route(place.lane)
     do Drive(line, PASSER_SPEED)
 
 passer = new Car at place.lane.centerline.pointAlongBy(PASSER_AT),

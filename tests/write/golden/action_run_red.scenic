@@ -15,28 +15,28 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 11  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when need(self, runner) > 2.5:
+    interrupt when braking_needed(self, runner) > 2.5:  # m/s2
         do BrakeFor(line, runner)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights(place.turn)
+require monitor Lights(place.turn)  # in CARLA: ego's is green
 
 ## O1
 RUNNER_SPEED = 11  # m/s
 RUNNER_AHEAD = Range(-0.3, 0.3)  # s before ego where their ways cross, if neither reacts
 RUNNER_TO_JUNCTION = start_to_meet(
-    place.from_left, way(place.from_left), RUNNER_SPEED,
-    way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=RUNNER_AHEAD)  # m
+    place.from_left, route(place.from_left), RUNNER_SPEED,
+    route(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=RUNNER_AHEAD)  # m
 runner = new Car at place.from_left.centerline.pointAlongBy(-RUNNER_TO_JUNCTION),
     with blueprint Uniform(*CARS),
     with light 'red',
-    with behavior Cruise(way(place.from_left), RUNNER_SPEED)
+    with behavior Cruise(route(place.from_left), RUNNER_SPEED)
 
 ## T
 terminate after 20 seconds

@@ -16,31 +16,31 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 11  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED) until to_line(self, place.lane) < 0.5 + self.speed ** 2 / 6
-        do StopAtLine(line, place.lane, EGO_SPEED)
-        do Drive(line, 0, rate=3.5) for 1 seconds
-        do Drive(line, 0, rate=4) for 1 seconds
-        do Drive(line, EGO_SPEED, rate=2)
-    interrupt when need(self, runner) > 2.5:
+        do StopAtLine(line, place.lane, EGO_SPEED)  # stops
+        do Stop(line, rate=3.5) for 1 seconds
+        do Stop(line, rate=4) for 1 seconds  # waits
+        do Drive(line, EGO_SPEED, rate=2)  # moves off
+    interrupt when braking_needed(self, runner) > 2.5:  # m/s2
         do BrakeFor(line, runner)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights(place.turn)
+require monitor Lights(place.turn)  # in CARLA: ego's is green
 
 ## O1
 RUNNER_SPEED = 11  # m/s
 RUNNER_AHEAD = Range(-0.3, 0.3)  # s before ego where their ways cross, if neither reacts
 RUNNER_TO_JUNCTION = start_to_meet(
-    place.from_right, way(place.from_right), RUNNER_SPEED,
-    way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=RUNNER_AHEAD, stop=stop_line(place.lane) - 3.4, held=2)  # m
+    place.from_right, route(place.from_right), RUNNER_SPEED,
+    route(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=RUNNER_AHEAD, stop=stop_line(place.lane) - 3.4, held=2)  # m
 runner = new Car at place.from_right.centerline.pointAlongBy(-RUNNER_TO_JUNCTION),
     with blueprint Uniform(*CARS),
-    with behavior Cruise(way(place.from_right), RUNNER_SPEED)
+    with behavior Cruise(route(place.from_right), RUNNER_SPEED)
 
 ## T
 terminate after 20 seconds

@@ -16,27 +16,27 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 11  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when need(self, turner) > 2.5:
+    interrupt when braking_needed(self, turner) > 2.5:  # m/s2
         do BrakeFor(line, turner)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights(place.turn)
+require monitor Lights(place.turn)  # in CARLA: ego's is green
 
 ## O1
 TURNER_SPEED = 8  # m/s
 TURNER_AHEAD = Range(-0.3, 0.3)  # s before ego where their ways cross, if neither reacts
 TURNER_TO_JUNCTION = start_to_meet(
-    place.from_left, way(place.from_left, RIGHT_TURN), TURNER_SPEED,
-    way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=TURNER_AHEAD)  # m
+    place.from_left, route(place.from_left, RIGHT_TURN), TURNER_SPEED,
+    route(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=TURNER_AHEAD)  # m
 turner = new Car at place.from_left.centerline.pointAlongBy(-TURNER_TO_JUNCTION),
     with blueprint Uniform(*CARS),
-    with behavior Cruise(way(place.from_left, RIGHT_TURN), TURNER_SPEED)
+    with behavior Cruise(route(place.from_left, RIGHT_TURN), TURNER_SPEED)
 
 ## T
 terminate after 20 seconds

@@ -7,35 +7,36 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(length=225, least=92, oncoming=True, lanes=1))
+place = Uniform(*stretches(length=225, min_length=92, oncoming=True, lanes=1))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when need(self, turner) > 2.5:
+    interrupt when braking_needed(self, turner) > 2.5:  # m/s2
         do BrakeFor(line, turner)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1
 TURNER_SPEED = 6  # m/s
-TURNER_AT = EGO_AT + 40 + 5  # m along the lane
+TURNER_GAP = 40  # m, bumper to bumper
+TURNER_AT = EGO_AT + TURNER_GAP + 5  # m along the lane; their bodies take 5
 
 behavior TurnerBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(TURNER_SPEED)
     do Drive(line, TURNER_SPEED) for 3 seconds
-    do TurnRound()
-    line = way(place.oncoming_lane)
+    do TurnRound()  # turns round
+    line = route(place.oncoming_lane)
     do Drive(line, 8)
 
 turner = new Car at place.lane.centerline.pointAlongBy(TURNER_AT),

@@ -16,33 +16,33 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 11  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED) until to_line(self, place.lane) < 0.5 + self.speed ** 2 / 6
         do Drive(line, lambda: up_to(to_line(self, place.lane), EGO_SPEED), rate=5) until passed(crosser, self)
         do Drive(line, EGO_SPEED, rate=2)
-    interrupt when need(self, crosser) > 3:
+    interrupt when braking_needed(self, crosser) > 3:  # m/s2
         do BrakeFor(line, crosser)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights(place.turn)
+require monitor Lights(place.turn)  # in CARLA: ego's is green
 
 ## O1
 CROSSER_SPEED = 11  # m/s
 CROSSER_AHEAD = Range(-0.3, 0.3)  # s before ego where their ways cross, if neither reacts
 CROSSER_TO_JUNCTION = start_to_meet(
-    place.from_right, way(place.from_right), CROSSER_SPEED,
-    way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=CROSSER_AHEAD)  # m
+    place.from_right, route(place.from_right), CROSSER_SPEED,
+    route(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=CROSSER_AHEAD)  # m
 
 behavior CrosserBehavior():
-    line = way(place.from_right)
+    line = route(place.from_right)
     try:
         take SetSpeedAction(CROSSER_SPEED)
         do Drive(line, CROSSER_SPEED)
-    interrupt when self._lane is ego._lane and need(self, ego) > 3:
+    interrupt when self._lane is ego._lane and braking_needed(self, ego) > 3:  # m/s2
         do BrakeFor(line, ego)
 
 crosser = new Car at place.from_right.centerline.pointAlongBy(-CROSSER_TO_JUNCTION),

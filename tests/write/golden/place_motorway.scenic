@@ -14,7 +14,7 @@ EGO_AT = Range(25, 45)  # m along its lane
 EGO_SPEED = 27  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 

@@ -15,7 +15,7 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 22  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 

@@ -15,11 +15,11 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 19  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until self._lane is place.acceleration_lane
-    line = way(place.left_lane)
-    do Drive(line, EGO_SPEED)
+    line = route(place.left_lane)
+    do Drive(line, EGO_SPEED)  # changes lane to the left
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',

@@ -14,11 +14,11 @@ EGO_AT = Range(80, 100)  # m along its lane
 EGO_SPEED = 22  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until passed(first, self, 0)
-    line = way(place.left_lane)
-    do Drive(line, EGO_SPEED)
+    line = route(place.left_lane)
+    do Drive(line, EGO_SPEED)  # changes lane to the left
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
@@ -26,14 +26,15 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
 
 ## O1: A car behind ego in the lane to the left, 5 m away, at 90 km/h.
 FIRST_SPEED = 25  # m/s
-FIRST_AT = EGO_AT - 5 - 5  # m along the lane
+FIRST_GAP = 5  # m, bumper to bumper
+FIRST_AT = EGO_AT - FIRST_GAP - 5  # m along the lane; their bodies take 5
 
 behavior FirstBehavior():
-    line = way(place.left_lane)
+    line = route(place.left_lane)
     try:
         take SetSpeedAction(FIRST_SPEED)
         do Drive(line, FIRST_SPEED)
-    interrupt when need(self, ego) > 3:
+    interrupt when braking_needed(self, ego) > 3:  # m/s2
         do BrakeFor(line, ego)
 
 first = new Car at place.left_lane.centerline.pointAlongBy(FIRST_AT),
@@ -42,14 +43,15 @@ first = new Car at place.left_lane.centerline.pointAlongBy(FIRST_AT),
 
 ## O2: A car behind the first in the same lane, 45 m away, at 90 km/h.
 NEXT_SPEED = 25  # m/s
-NEXT_AT = FIRST_AT - 45 - 5  # m along the lane
+NEXT_GAP = 45  # m, bumper to bumper
+NEXT_AT = FIRST_AT - NEXT_GAP - 5  # m along the lane; their bodies take 5
 
 behavior NextBehavior():
-    line = way(place.left_lane)
+    line = route(place.left_lane)
     try:
         take SetSpeedAction(NEXT_SPEED)
         do Drive(line, NEXT_SPEED)
-    interrupt when most_need(self, [ego, first]) > 3:
+    interrupt when braking_needed(self, [ego, first]) > 3:  # m/s2
         do BrakeFor(line, [ego, first])
 
 next = new Car at place.left_lane.centerline.pointAlongBy(NEXT_AT),

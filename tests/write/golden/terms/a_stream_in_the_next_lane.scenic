@@ -14,7 +14,7 @@ EGO_AT = Range(124, 144)  # m along its lane
 EGO_SPEED = 20  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
@@ -24,14 +24,15 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
 
 ## O1: 5 cars behind ego in the lane to the left, 10 m away, at 101 km/h.
 STREAM_SPEED = 28  # m/s
-STREAM_AT = EGO_AT - 10 - 5  # m along the lane
+STREAM_GAP = 10  # m, bumper to bumper
+STREAM_AT = EGO_AT - STREAM_GAP - 5  # m along the lane; their bodies take 5
 
 behavior StreamBehavior():
-    line = way(place.left_lane)
+    line = route(place.left_lane)
     try:
         take SetSpeedAction(STREAM_SPEED)
         do Drive(line, STREAM_SPEED)
-    interrupt when most_need(self, [*stream]) > 3:
+    interrupt when braking_needed(self, stream) > 3:  # m/s2
         do BrakeFor(line, [*stream])
 
 stream = [new Car at place.left_lane.centerline.pointAlongBy(STREAM_AT - 24.8 * i),

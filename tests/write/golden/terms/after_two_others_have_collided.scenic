@@ -7,43 +7,45 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=325, least=137))
+place = Uniform(*stretches(straight=True, length=325, min_length=137))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 43.2 km/h; it brakes hard when the one and the two touch.
 EGO_SPEED = 12  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until touch(one, two)
-    do Drive(line, 6, rate=6)
+    do Drive(line, 6, rate=6)  # brakes
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A car ahead of ego in the same lane, 40 m away, at 43.2 km/h; it hits the two.
 ONE_SPEED = 12  # m/s
-ONE_AT = EGO_AT + 40 + 5  # m along the lane
+ONE_GAP = 40  # m, bumper to bumper
+ONE_AT = EGO_AT + ONE_GAP + 5  # m along the lane; their bodies take 5
 
 behavior OneBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(ONE_SPEED)
-    do Drive(line, ONE_SPEED) until touch(self, two)
-    do Drive(line, 0, rate=6)
+    do Drive(line, ONE_SPEED) until touch(self, two)  # hits the two
+    do Stop(line, rate=6)
 
 one = new Car at place.lane.centerline.pointAlongBy(ONE_AT),
     with blueprint Uniform(*CARS),
     with behavior OneBehavior()
 
 ## O2: A car ahead of the one in the same lane, 40 m away.
-TWO_AT = ONE_AT + 40 + 5  # m along the lane
+TWO_GAP = 40  # m, bumper to bumper
+TWO_AT = ONE_AT + TWO_GAP + 5  # m along the lane; their bodies take 5
 
 behavior TwoBehavior():
-    line = way(place.lane)
-    do Drive(line, 0)
+    line = route(place.lane)
+    do Stop(line)
 
 two = new Car at place.lane.centerline.pointAlongBy(TWO_AT),
     with blueprint Uniform(*CARS),

@@ -7,24 +7,25 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=225, least=116))
+place = Uniform(*stretches(straight=True, length=225, min_length=116))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives slowly.
 EGO_SPEED = Range(5.6, 8.3)  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: 3 walls partly in the lane at its left edge, 30 m away.
-LEFT_WALL_AT = EGO_AT + 30 + 8.6  # m along the lane
+LEFT_WALL_GAP = 30  # m, bumper to bumper
+LEFT_WALL_AT = EGO_AT + LEFT_WALL_GAP + 8.6  # m along the lane; their bodies take 8.6
 left_wall = [new Barrier at beside(place.lane.centerline, place.lane, LEFT_WALL_AT + 13 * i, -1.6),
     with regionContainedIn everywhere,
     facing heading_at(place.lane, LEFT_WALL_AT + 13 * i),
@@ -35,7 +36,8 @@ left_wall = [new Barrier at beside(place.lane.centerline, place.lane, LEFT_WALL_
     with height 2.2 for i in range(3)]
 
 ## O2: 3 walls partly in the lane at its right edge, 30 m away.
-RIGHT_WALL_AT = EGO_AT + 30 + 8.6  # m along the lane
+RIGHT_WALL_GAP = 30  # m, bumper to bumper
+RIGHT_WALL_AT = EGO_AT + RIGHT_WALL_GAP + 8.6  # m along the lane; their bodies take 8.6
 right_wall = [new Barrier at beside(place.lane.centerline, place.lane, RIGHT_WALL_AT + 13 * i, 1.6),
     with regionContainedIn everywhere,
     facing heading_at(place.lane, RIGHT_WALL_AT + 13 * i),

@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=375, least=104, ego_lane='rightmost',
+place = Uniform(*stretches(straight=True, length=375, min_length=104, ego_lane='rightmost',
     shoulder='preferred', speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
@@ -15,18 +15,19 @@ EGO_AT = Range(25, 45)  # m along its lane
 EGO_SPEED = 10  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until not hides(van, self.position, kid.position)
-    do Drive(line, 5, rate=3)
+    do Drive(line, 5, rate=3)  # brakes
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A van parked on the right, 50 m away.
-VAN_AT = EGO_AT + 50 + 5.55  # m along the lane
+VAN_GAP = 50  # m, bumper to bumper
+VAN_AT = EGO_AT + VAN_GAP + 5.55  # m along the lane; their bodies take 5.55
 van = new Van at beside(place.lane.rightEdge, place.lane, VAN_AT, 1.6),
     facing heading_at(place.lane, VAN_AT),
     with regionContainedIn everywhere,
@@ -37,7 +38,7 @@ KID_SPEED = 2.2  # m/s
 KID_ARRIVES = Range(-0.72, -0.52)  # s after ego in the middle of its way, unhindered
 
 behavior KidBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     do Stand() until sets_out(self, ego, line, KID_SPEED, KID_ARRIVES)
     do Walk(self.heading, KID_SPEED, to_far_side(self, line, self.heading))
 

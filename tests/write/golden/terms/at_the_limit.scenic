@@ -14,14 +14,14 @@ EGO_AT = Range(25, 45)  # m along its lane
 EGO_SPEED = Range(13.2, 13.9)  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

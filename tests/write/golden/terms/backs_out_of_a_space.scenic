@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=225, least=100, ego_lane='rightmost',
+place = Uniform(*stretches(straight=True, length=225, min_length=100, ego_lane='rightmost',
     shoulder='preferred'))
 EGO_AT = Range(25, 45)  # m along its lane
 
@@ -15,25 +15,26 @@ EGO_AT = Range(25, 45)  # m along its lane
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when need(self, actor1) > 2.5:
+    interrupt when braking_needed(self, actor1) > 2.5:  # m/s2
         do BrakeFor(line, actor1)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A car parked on the right, 50 m away; it reverses.
-ACTOR1_AT = EGO_AT + 50 + 3.7  # m along the lane
+ACTOR1_GAP = 50  # m, bumper to bumper
+ACTOR1_AT = EGO_AT + ACTOR1_GAP + 3.7  # m along the lane; their bodies take 3.7
 
 behavior Actor1Behavior():
-    line = way(place.lane)
-    do Drive(line, 0) until sets_out(self, ego, line, 2, 0.48, 3)
-    do Backwards(2) for 2 seconds
+    line = route(place.lane)
+    do Stop(line) until sets_out(self, ego, line, 2, 0.48, 3)
+    do Backwards(2) for 2 seconds  # reverses
     do Backwards(0)
 
 actor1 = new Car at beside(place.lane.rightEdge, place.lane, ACTOR1_AT, 3.6),

@@ -15,24 +15,24 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 9  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights(place.turn)
+require monitor Lights(place.turn)  # in CARLA: ego's is green
 
 ## O1: A car on the road that crosses from the right, where their ways meet 2 s before ego; it goes straight on.
 ACTOR1_SPEED = 11  # m/s
 ACTOR1_AHEAD = 2  # s before ego where their ways cross, if neither reacts
 ACTOR1_TO_JUNCTION = start_to_meet(
-    place.from_right, way(place.from_right), ACTOR1_SPEED,
-    way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=ACTOR1_AHEAD)  # m
+    place.from_right, route(place.from_right), ACTOR1_SPEED,
+    route(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=ACTOR1_AHEAD)  # m
 actor1 = new Car at place.from_right.centerline.pointAlongBy(-ACTOR1_TO_JUNCTION),
     with blueprint Uniform(*CARS),
-    with behavior Cruise(way(place.from_right), ACTOR1_SPEED)
+    with behavior Cruise(route(place.from_right), ACTOR1_SPEED)
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

@@ -7,32 +7,33 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=275, least=102))
+place = Uniform(*stretches(straight=True, length=275, min_length=102))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 36 km/h; it hits the actor1.
 EGO_SPEED = 10  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
-    do Drive(line, EGO_SPEED) until touch(self, actor1)
-    do Drive(line, 0, rate=6)
+    do Drive(line, EGO_SPEED) until touch(self, actor1)  # hits the actor1
+    do Stop(line, rate=6)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A car ahead of ego in the same lane, 50 m away, at 36 km/h; it stops.
 ACTOR1_SPEED = 10  # m/s
-ACTOR1_AT = EGO_AT + 50 + 5  # m along the lane
+ACTOR1_GAP = 50  # m, bumper to bumper
+ACTOR1_AT = EGO_AT + ACTOR1_GAP + 5  # m along the lane; their bodies take 5
 
 behavior Actor1Behavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(ACTOR1_SPEED)
     do Drive(line, ACTOR1_SPEED) for 3 seconds
-    do Drive(line, 0, rate=5)
+    do Stop(line, rate=5)  # stops
 
 actor1 = new Car at place.lane.centerline.pointAlongBy(ACTOR1_AT),
     with blueprint Uniform(*CARS),

@@ -15,16 +15,16 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
-    do Drive(line, EGO_SPEED) until self._intersection
+    do Drive(line, EGO_SPEED) until self._intersection  # turns left
     do Drive(line, EGO_SPEED) until has_crossed(self)
-    do Drive(line, 4, rate=3)
+    do Drive(line, 4, rate=3)  # brakes
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

@@ -7,18 +7,18 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A motorway, 2 or more lanes in ego's direction.
-place = Uniform(*motorways(length=575, least=92, lanes=2, speed=27.5))
+place = Uniform(*motorways(length=575, min_length=92, lanes=2, speed=27.5))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 79.2 km/h; it accelerates, then follows the actor1 10 m from the actor1.
 EGO_SPEED = 22  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) for 3 seconds
-    do Drive(line, 26, rate=2.5) until self.speed > 25.5
-    do Drive(line, lambda: pace(self, actor1, 26, headway=0.27), rate=4)
+    do Drive(line, 26, rate=2.5) until self.speed > 25.5  # accelerates
+    do Drive(line, lambda: following_speed(self, actor1, 26, headway=0.27), rate=4)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
@@ -26,10 +26,11 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
 
 ## O1: A car ahead of ego in the same lane, 40 m away, at 79.2 km/h.
 ACTOR1_SPEED = 22  # m/s
-ACTOR1_AT = EGO_AT + 40 + 5  # m along the lane
+ACTOR1_GAP = 40  # m, bumper to bumper
+ACTOR1_AT = EGO_AT + ACTOR1_GAP + 5  # m along the lane; their bodies take 5
 actor1 = new Car at place.lane.centerline.pointAlongBy(ACTOR1_AT),
     with blueprint Uniform(*CARS),
-    with behavior Cruise(way(place.lane), ACTOR1_SPEED)
+    with behavior Cruise(route(place.lane), ACTOR1_SPEED)
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

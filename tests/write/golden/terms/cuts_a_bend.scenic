@@ -15,7 +15,7 @@ EGO_AT = max(25, place.mark - EGO_TO_BEND)  # m along its lane
 EGO_SPEED = 9  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) for 3 seconds
     do Drive(line, EGO_SPEED, offset=3.5, shift=2) for 3 seconds
@@ -24,7 +24,7 @@ behavior EgoBehavior():
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## T: The run ends after 11 s.
 terminate after 11 seconds

@@ -14,18 +14,18 @@ EGO_AT = Range(25, 45)  # m along its lane
 EGO_SPEED = 0  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     do Drive(line, EGO_SPEED) for 3 seconds
-    do Drive(line, 3, rate=2) until self.speed > 2.5
-    do Drive(line, 0, rate=3.5) until self.speed < 0.2
-    do Drive(line, 0, rate=3.5) for 1 seconds
-    do Drive(line, 0, rate=4) for 2 seconds
-    do Drive(line, 8, rate=2)
+    do Drive(line, 3, rate=2) until self.speed > 2.5  # moves off
+    do Stop(line, rate=3.5) until self.speed < 0.2  # stops
+    do Stop(line, rate=3.5) for 1 seconds
+    do Stop(line, rate=4) for 2 seconds  # waits
+    do Drive(line, 8, rate=2)  # moves off
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

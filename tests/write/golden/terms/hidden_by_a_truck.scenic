@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=375, least=106, ego_lane='rightmost',
+place = Uniform(*stretches(straight=True, length=375, min_length=106, ego_lane='rightmost',
     shoulder='preferred'))
 EGO_AT = Range(25, 45)  # m along its lane
 
@@ -15,20 +15,21 @@ EGO_AT = Range(25, 45)  # m along its lane
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when most_need(self, [*in_view(self, [child], [actor1])]) > 3:
-        do StopShortOf(line, [child], EGO_SPEED)
+    interrupt when braking_needed(self, in_view(self, [child], [actor1])) > 3:  # m/s2
+        do YieldTo(line, [child], EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A truck parked on the right, 50 m away.
-ACTOR1_AT = EGO_AT + 50 + 6.55  # m along the lane
+ACTOR1_GAP = 50  # m, bumper to bumper
+ACTOR1_AT = EGO_AT + ACTOR1_GAP + 6.55  # m along the lane; their bodies take 6.55
 actor1 = new Truck at beside(place.lane.rightEdge, place.lane, ACTOR1_AT, 1.8),
     facing heading_at(place.lane, ACTOR1_AT),
     with regionContainedIn everywhere,
@@ -39,7 +40,7 @@ CHILD_SPEED = 2.2  # m/s
 CHILD_ARRIVES = Range(-0.72, -0.52)  # s after ego in the middle of its way, unhindered
 
 behavior ChildBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     do Stand() until sets_out(self, ego, line, CHILD_SPEED, CHILD_ARRIVES)
     do Walk(self.heading, CHILD_SPEED, to_far_side(self, line, self.heading))
 

@@ -7,31 +7,32 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=325, least=141))
+place = Uniform(*stretches(straight=True, length=325, min_length=141))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 43.2 km/h.
 EGO_SPEED = 12  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A car ahead of ego in the same lane, 25 m away, at 43.2 km/h; it loses control for a moment at a distance of 1 m.
 THE_CAR_SPEED = 12  # m/s
-THE_CAR_AT = EGO_AT + 25 + 5  # m along the lane
+THE_CAR_GAP = 25  # m, bumper to bumper
+THE_CAR_AT = EGO_AT + THE_CAR_GAP + 5  # m along the lane; their bodies take 5
 
 behavior TheCarBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(THE_CAR_SPEED)
     do Drive(line, THE_CAR_SPEED) until gap(self, ice) < 1
-    do Skid(line, 1.8, 6) for 1.2 seconds
+    do Skid(line, 1.8, 6) for 1.2 seconds  # loses control for a moment
     do Drive(line, THE_CAR_SPEED)
 
 the_car = new Car at place.lane.centerline.pointAlongBy(THE_CAR_AT),
@@ -39,7 +40,8 @@ the_car = new Car at place.lane.centerline.pointAlongBy(THE_CAR_AT),
     with behavior TheCarBehavior()
 
 ## O2: A slippery patch ahead of ego in the same lane, 90 m away.
-ICE_AT = EGO_AT + 90 + 4.45  # m along the lane
+ICE_GAP = 90  # m, bumper to bumper
+ICE_AT = EGO_AT + ICE_GAP + 4.45  # m along the lane; their bodies take 4.45
 ice = new Debris at place.lane.centerline.pointAlongBy(ICE_AT),
     with blueprint 'static.prop.dirtdebris01',
     with rolename 'slippery_patch',

@@ -15,12 +15,12 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 14  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until self._lane is place.acceleration_lane and (distance from self to place.acceleration_lane.centerline[-1]) < 240
-    do Drive(line, 22, rate=2.5) until self._lane is place.acceleration_lane
-    line = way(place.left_lane)
-    do Drive(line, 22)
+    do Drive(line, 22, rate=2.5) until self._lane is place.acceleration_lane  # accelerates
+    line = route(place.left_lane)
+    do Drive(line, 22)  # changes lane to the left
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',

@@ -15,26 +15,26 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 9  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
-    do Drive(line, EGO_SPEED) until touch(self, actor1)
-    do Drive(line, 0, rate=6)
+    do Drive(line, EGO_SPEED) until touch(self, actor1)  # hits the actor1
+    do Stop(line, rate=6)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights(place.turn)
+require monitor Lights(place.turn)  # in CARLA: ego's is green
 
 ## O1: A car on the road that crosses from the left, at 25.2 km/h; it goes straight on.
 ACTOR1_SPEED = 7  # m/s
 ACTOR1_AHEAD = Range(-0.05, 0.05)  # s before ego where their ways cross, if neither reacts
 ACTOR1_TO_JUNCTION = start_to_meet(
-    place.from_left, way(place.from_left), ACTOR1_SPEED,
-    way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=ACTOR1_AHEAD,
+    place.from_left, route(place.from_left), ACTOR1_SPEED,
+    route(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=ACTOR1_AHEAD,
     strikes=Part('right', 4.8, 2.2), struck=Part('front', 4.8, 2.2))  # m
 actor1 = new Car at place.from_left.centerline.pointAlongBy(-ACTOR1_TO_JUNCTION),
     with blueprint Uniform(*CARS),
-    with behavior Cruise(way(place.from_left), ACTOR1_SPEED)
+    with behavior Cruise(route(place.from_left), ACTOR1_SPEED)
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

@@ -7,25 +7,26 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=375, least=118, speed=15))
+place = Uniform(*stretches(straight=True, length=375, min_length=118, speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 50.4 km/h; it stops with 3 m to the load.
 EGO_SPEED = 14  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
-    do StopBefore(line, [load], room=3, rate=3.5)
-    do Drive(line, 0, rate=3.5)
+    do StopBefore(line, [load], room=3, rate=3.5)  # stops
+    do Stop(line, rate=3.5)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A box ahead of ego in the same lane, 70 m away.
-LOAD_AT = EGO_AT + 70 + 3  # m along the lane
+LOAD_GAP = 70  # m, bumper to bumper
+LOAD_AT = EGO_AT + LOAD_GAP + 3  # m along the lane; their bodies take 3
 load = new Box at place.lane.centerline.pointAlongBy(LOAD_AT),
     with blueprint Uniform(*BOXES),
     with regionContainedIn everywhere,

@@ -15,23 +15,24 @@ EGO_AT = Range(77, 97)  # m along its lane
 EGO_SPEED = 10  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until gap(self, actor1) < 30
     do Drive(line, EGO_SPEED, offset=-3.2, shift=0.7) for 3 seconds
-    do Drive(line, 0, rate=3.5, offset=self.beside)
+    do Stop(line, rate=3.5, offset=self.beside)  # stops
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: An ambulance behind ego in the same lane, 60 m away, at 64.8 km/h; it overtakes ego.
 ACTOR1_SPEED = 18  # m/s
-ACTOR1_AT = EGO_AT - 60 - 5.8  # m along the lane
+ACTOR1_GAP = 60  # m, bumper to bumper
+ACTOR1_AT = EGO_AT - ACTOR1_GAP - 5.8  # m along the lane; their bodies take 5.8
 
 behavior Actor1Behavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(ACTOR1_SPEED)
     do Drive(line, ACTOR1_SPEED) until gap(self, ego) < 25.6
     do Drive(line, ACTOR1_SPEED, offset=3.5, shift=2) until lead_on(self, ego) > 10 + self.length

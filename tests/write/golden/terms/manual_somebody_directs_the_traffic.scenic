@@ -15,13 +15,13 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 9  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until to_line(self, place.lane) < 0.5 + self.speed ** 2 / 6
-    do StopAtLine(line, place.lane, EGO_SPEED)
-    do Drive(line, 0, rate=3.5) for 1 seconds
-    do Drive(line, 0, rate=4) for 3 seconds
-    do Drive(line, EGO_SPEED, rate=2)
+    do StopAtLine(line, place.lane, EGO_SPEED)  # stops
+    do Stop(line, rate=3.5) for 1 seconds
+    do Stop(line, rate=4) for 3 seconds  # waits
+    do Drive(line, EGO_SPEED, rate=2)  # moves off
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
@@ -35,7 +35,8 @@ monitor TrafficLight():
 require monitor TrafficLight()
 
 ## O1: A pedestrian at the right roadside, 60 m away; it stands still.
-OFFICER_AT = EGO_AT + 60 + 2.85  # m along the lane
+OFFICER_GAP = 60  # m, bumper to bumper
+OFFICER_AT = EGO_AT + OFFICER_GAP + 2.85  # m along the lane; their bodies take 2.85
 officer = new Pedestrian at beside(place.lane.rightEdge, place.lane, OFFICER_AT, 1.5),
     facing heading_at(place.lane, OFFICER_AT),
     with regionContainedIn everywhere,

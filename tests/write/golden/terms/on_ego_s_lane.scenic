@@ -7,25 +7,26 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=275, least=108))
+place = Uniform(*stretches(straight=True, length=275, min_length=108))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 36 km/h; it stops with 3 m to the actor1.
 EGO_SPEED = 10  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
-    do StopBefore(line, [actor1], room=3, rate=3.5)
-    do Drive(line, 0, rate=3.5)
+    do StopBefore(line, [actor1], room=3, rate=3.5)  # stops
+    do Stop(line, rate=3.5)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A pedestrian ahead of ego in the same lane, 60 m away; it stands still.
-ACTOR1_AT = EGO_AT + 60 + 2.85  # m along the lane
+ACTOR1_GAP = 60  # m, bumper to bumper
+ACTOR1_AT = EGO_AT + ACTOR1_GAP + 2.85  # m along the lane; their bodies take 2.85
 actor1 = new Pedestrian at place.lane.centerline.pointAlongBy(ACTOR1_AT),
     with regionContainedIn everywhere,
     with blueprint Uniform(*PEDESTRIANS),

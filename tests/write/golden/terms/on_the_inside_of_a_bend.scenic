@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A curve to the right.
-place = Uniform(*curves('right', length=275, least=108, ego_lane='rightmost'))
+place = Uniform(*curves('right', length=275, min_length=108, ego_lane='rightmost'))
 EGO_TO_BEND = 40  # m
 EGO_AT = max(25, place.mark - EGO_TO_BEND)  # m along its lane
 
@@ -15,25 +15,26 @@ EGO_AT = max(25, place.mark - EGO_TO_BEND)  # m along its lane
 EGO_SPEED = 9  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when need(self, actor1) > 3:
-        do StopShortOf(line, [actor1], EGO_SPEED)
+    interrupt when braking_needed(self, actor1) > 3:  # m/s2
+        do YieldTo(line, [actor1], EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A pedestrian at the right roadside, 60 m away; it crosses the road.
 ACTOR1_SPEED = 1.4  # m/s
-ACTOR1_AT = EGO_AT + 60 + 2.85  # m along the lane
+ACTOR1_GAP = 60  # m, bumper to bumper
+ACTOR1_AT = EGO_AT + ACTOR1_GAP + 2.85  # m along the lane; their bodies take 2.85
 ACTOR1_ARRIVES = Range(-0.2, 0)  # s after ego in the middle of its way, unhindered
 
 behavior Actor1Behavior():
-    line = way(place.lane)
+    line = route(place.lane)
     do Stand() until sets_out(self, ego, line, ACTOR1_SPEED, ACTOR1_ARRIVES)
     do Walk(self.heading, ACTOR1_SPEED, to_far_side(self, line, self.heading))
 

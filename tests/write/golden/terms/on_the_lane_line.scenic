@@ -7,14 +7,14 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A motorway, 2 or more lanes in ego's direction, ego in the rightmost.
-place = Uniform(*motorways(length=375, least=70, lanes=2, ego_lane='rightmost', speed=15))
+place = Uniform(*motorways(length=375, min_length=70, lanes=2, ego_lane='rightmost', speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 54 km/h.
 EGO_SPEED = 15  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
@@ -24,10 +24,11 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
 
 ## O1: A motorcycle partly in the lane at its left edge, 20 m away, at 43.2 km/h.
 ACTOR1_SPEED = 12  # m/s
-ACTOR1_AT = EGO_AT + 20 + 3.7  # m along the lane
+ACTOR1_GAP = 20  # m, bumper to bumper
+ACTOR1_AT = EGO_AT + ACTOR1_GAP + 3.7  # m along the lane; their bodies take 3.7
 
 behavior Actor1Behavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(ACTOR1_SPEED)
     do Drive(line, ACTOR1_SPEED, offset=1.6)
 

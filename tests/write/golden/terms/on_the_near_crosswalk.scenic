@@ -15,17 +15,17 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 9  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when need(self, actor1) > 3:
-        do StopShortOf(line, [actor1], EGO_SPEED)
+    interrupt when braking_needed(self, actor1) > 3:  # m/s2
+        do YieldTo(line, [actor1], EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A pedestrian on the right sidewalk; it crosses the road.
 ACTOR1_SPEED = 1.4  # m/s
@@ -33,7 +33,7 @@ ACTOR1_AT = crosswalk_of(place.lane)
 ACTOR1_ARRIVES = Range(-0.2, 0)  # s after ego in the middle of its way, unhindered
 
 behavior Actor1Behavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     do Stand() until sets_out(self, ego, line, ACTOR1_SPEED, ACTOR1_ARRIVES)
     do Walk(self.heading, ACTOR1_SPEED, to_far_side(self, line, self.heading))
 

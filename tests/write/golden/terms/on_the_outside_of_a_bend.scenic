@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A curve to the right.
-place = Uniform(*curves('right', length=375, least=114, ego_lane='leftmost', oncoming=True,
+place = Uniform(*curves('right', length=375, min_length=114, ego_lane='leftmost', oncoming=True,
     shoulder='preferred', speed=15))
 EGO_TO_BEND = 40  # m
 EGO_AT = max(25, place.mark - EGO_TO_BEND)  # m along its lane
@@ -16,17 +16,18 @@ EGO_AT = max(25, place.mark - EGO_TO_BEND)  # m along its lane
 EGO_SPEED = 9  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A van parked on the left, 60 m away.
-ACTOR1_AT = EGO_AT + 60 + 5.55  # m along the lane
+ACTOR1_GAP = 60  # m, bumper to bumper
+ACTOR1_AT = EGO_AT + ACTOR1_GAP + 5.55  # m along the lane; their bodies take 5.55
 actor1 = new Van at beside(place.lane.group.opposite.rightEdge, place.lane, ACTOR1_AT, -1.6),
     facing heading_at(place.lane, ACTOR1_AT),
     with regionContainedIn everywhere,

@@ -14,7 +14,7 @@ EGO_AT = Range(25, 45)  # m along its lane
 EGO_SPEED = 20  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) for 3 seconds
     do Drive(line, EGO_SPEED, offset=place.lane.group.leftEdge.distanceTo(self.position) + 4, shift=2)

@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=375, least=110, ego_lane='rightmost',
+place = Uniform(*stretches(straight=True, length=375, min_length=110, ego_lane='rightmost',
     shoulder='preferred', speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
@@ -15,27 +15,29 @@ EGO_AT = Range(25, 45)  # m along its lane
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when most_need(self, [*in_view(self, [child], [van])]) > 3:
-        do StopShortOf(line, [child], EGO_SPEED)
+    interrupt when braking_needed(self, in_view(self, [child], [van])) > 3:  # m/s2
+        do YieldTo(line, [child], EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A van parked on the right, 50 m away.
-VAN_AT = EGO_AT + 50 + 5.55  # m along the lane
+VAN_GAP = 50  # m, bumper to bumper
+VAN_AT = EGO_AT + VAN_GAP + 5.55  # m along the lane; their bodies take 5.55
 van = new Van at beside(place.lane.rightEdge, place.lane, VAN_AT, 1.6),
     facing heading_at(place.lane, VAN_AT),
     with regionContainedIn everywhere,
     with blueprint 'vehicle.mercedes.sprinter'
 
 ## O2: A car parked on the right, 2 m away.
-NEXT_AT = VAN_AT + 2 + 5.55  # m along the lane
+NEXT_GAP = 2  # m, bumper to bumper
+NEXT_AT = VAN_AT + NEXT_GAP + 5.55  # m along the lane; their bodies take 5.55
 next = new Car at beside(place.lane.rightEdge, place.lane, NEXT_AT, 1.6),
     facing heading_at(place.lane, NEXT_AT),
     with regionContainedIn everywhere,
@@ -46,7 +48,7 @@ CHILD_SPEED = Range(2.8, 4)  # m/s
 CHILD_ARRIVES = Range(-0.54, -0.34)  # s after ego in the middle of its way, unhindered
 
 behavior ChildBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     do Stand() until sets_out(self, ego, line, CHILD_SPEED, CHILD_ARRIVES)
     do Walk(self.heading, CHILD_SPEED, to_far_side(self, line, self.heading))
 

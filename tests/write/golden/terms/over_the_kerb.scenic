@@ -14,16 +14,16 @@ EGO_AT = Range(25, 45)  # m along its lane
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) for 3 seconds
     do Drive(line, EGO_SPEED, offset=-place.lane.group.rightEdge.distanceTo(self.position) - 4, shift=2) until clear_of_lanes(self) and self._intersection is None
-    do Drive(line, 0, rate=3.5, offset=self.beside)
+    do Stop(line, rate=3.5, offset=self.beside)  # stops
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

@@ -7,39 +7,41 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=375, least=142, speed=15))
+place = Uniform(*stretches(straight=True, length=375, min_length=142, speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 50.4 km/h; it hits the one.
 EGO_SPEED = 14  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
-    do Drive(line, EGO_SPEED) until touch(self, one)
-    do Drive(line, 0, rate=6)
+    do Drive(line, EGO_SPEED) until touch(self, one)  # hits the one
+    do Stop(line, rate=6)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A car ahead of ego in the same lane, 40 m away, at 50.4 km/h; it hits the two.
 ONE_SPEED = 14  # m/s
-ONE_AT = EGO_AT + 40 + 5  # m along the lane
+ONE_GAP = 40  # m, bumper to bumper
+ONE_AT = EGO_AT + ONE_GAP + 5  # m along the lane; their bodies take 5
 
 behavior OneBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(ONE_SPEED)
-    do Drive(line, ONE_SPEED) until touch(self, two)
-    do Drive(line, 0, rate=6)
+    do Drive(line, ONE_SPEED) until touch(self, two)  # hits the two
+    do Stop(line, rate=6)
 
 one = new Car at place.lane.centerline.pointAlongBy(ONE_AT),
     with blueprint Uniform(*CARS),
     with behavior OneBehavior()
 
 ## O2: A car ahead of the one in the same lane, 45 m away; it stands still.
-TWO_AT = ONE_AT + 45 + 5  # m along the lane
+TWO_GAP = 45  # m, bumper to bumper
+TWO_AT = ONE_AT + TWO_GAP + 5  # m along the lane; their bodies take 5
 two = new Car at place.lane.centerline.pointAlongBy(TWO_AT),
     with blueprint Uniform(*CARS)
 

@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=275, least=112, ego_lane='rightmost',
+place = Uniform(*stretches(straight=True, length=275, min_length=112, ego_lane='rightmost',
     shoulder='preferred'))
 EGO_AT = Range(25, 45)  # m along its lane
 
@@ -15,25 +15,26 @@ EGO_AT = Range(25, 45)  # m along its lane
 EGO_SPEED = 10  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when need(self, actor1) > 2.5:
+    interrupt when braking_needed(self, actor1) > 2.5:  # m/s2
         do BrakeFor(line, actor1)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A car parked on the right, 60 m away; it comes onto the road.
-ACTOR1_AT = EGO_AT + 60 + 5  # m along the lane
+ACTOR1_GAP = 60  # m, bumper to bumper
+ACTOR1_AT = EGO_AT + ACTOR1_GAP + 5  # m along the lane; their bodies take 5
 
 behavior Actor1Behavior():
-    line = way(place.lane)
-    do Drive(line, 0) until pulls_out(self, ego, line, 2.4, -1.41)
-    do Drive(line, 7, rate=2.4)
+    line = route(place.lane)
+    do Stop(line) until pulls_out(self, ego, line, 2.4, -1.41)
+    do Drive(line, 7, rate=2.4)  # comes onto the road
 
 actor1 = new Car at beside(place.lane.rightEdge, place.lane, ACTOR1_AT, 1.6),
     facing heading_at(place.lane, ACTOR1_AT),

@@ -14,17 +14,18 @@ EGO_AT = Range(49, 69)  # m along its lane
 EGO_SPEED = 0  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
-    do Backwards(1.5) until gap(self, actor1) < 2
-    do Backwards(0)
+    line = route(place.lane)
+    do Backwards(1.5) until gap(self, actor1) < 2  # reverses
+    do Backwards(0)  # stops
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A car behind ego in the same lane, 14 m away; it stands still.
-ACTOR1_AT = EGO_AT - 14 - 5  # m along the lane
+ACTOR1_GAP = 14  # m, bumper to bumper
+ACTOR1_AT = EGO_AT - ACTOR1_GAP - 5  # m along the lane; their bodies take 5
 actor1 = new Car at place.lane.centerline.pointAlongBy(ACTOR1_AT),
     with blueprint Uniform(*CARS)
 

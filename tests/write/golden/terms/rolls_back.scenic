@@ -14,17 +14,17 @@ EGO_AT = Range(45, 65)  # m along its lane
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) for 3 seconds
-    do Drive(line, 0, rate=3.5) until self.speed < 0.2
-    do Drive(line, 0, rate=3.5) for 1 seconds
-    do Backwards(1)
+    do Stop(line, rate=3.5) until self.speed < 0.2  # stops
+    do Stop(line, rate=3.5) for 1 seconds
+    do Backwards(1)  # reverses
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

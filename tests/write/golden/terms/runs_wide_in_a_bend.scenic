@@ -15,15 +15,15 @@ EGO_AT = max(25, place.mark - EGO_TO_BEND)  # m along its lane
 EGO_SPEED = 12  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until along(place.lane, self.position) + self.length / 2 > place.mark
-    do Drive(line, EGO_SPEED, offset=3.2, shift=0.7)
+    do Drive(line, EGO_SPEED, offset=3.2, shift=0.7)  # drifts out of the lane to the left
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

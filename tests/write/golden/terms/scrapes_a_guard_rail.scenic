@@ -7,26 +7,27 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A motorway.
-place = Uniform(*motorways(length=525, least=140, ego_lane='rightmost', speed=22.5))
+place = Uniform(*motorways(length=525, min_length=140, ego_lane='rightmost', speed=22.5))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 79.2 km/h; it leaves the road to the right, then hits the actor1.
 EGO_SPEED = 22  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until (distance from self to actor1) < leaves_for(self, line, actor1)
     do Ram(actor1, EGO_SPEED) until touch(self, actor1)
-    do Drive(line, EGO_SPEED) until touch(self, actor1)
-    do Drive(line, 0, rate=6)
+    do Drive(line, EGO_SPEED) until touch(self, actor1)  # hits the actor1
+    do Stop(line, rate=6)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 
 ## O1: A guard rail at the right roadside, 80 m away.
-ACTOR1_AT = EGO_AT + 80 + 8.6  # m along the lane
+ACTOR1_GAP = 80  # m, bumper to bumper
+ACTOR1_AT = EGO_AT + ACTOR1_GAP + 8.6  # m along the lane; their bodies take 8.6
 actor1 = new Barrier at beside(place.lane.rightEdge, place.lane, ACTOR1_AT, 2.4),
     facing heading_at(place.lane, ACTOR1_AT),
     with regionContainedIn everywhere,

@@ -7,25 +7,26 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=225, least=98, ego_lane='rightmost'))
+place = Uniform(*stretches(straight=True, length=225, min_length=98, ego_lane='rightmost'))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 28.8 km/h.
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A pedestrian on the right sidewalk, 50 m away; it moves along the road at a jog.
 SKATEBOARD_SPEED = Range(2.2, 3)  # m/s
-SKATEBOARD_AT = EGO_AT + 50 + 2.85  # m along the lane
+SKATEBOARD_GAP = 50  # m, bumper to bumper
+SKATEBOARD_AT = EGO_AT + SKATEBOARD_GAP + 2.85  # m along the lane; their bodies take 2.85
 
 behavior SkateboardBehavior():
     do Walk(self.heading, SKATEBOARD_SPEED)

@@ -15,16 +15,16 @@ EGO_AT = Range(25, 45)  # m along its lane
 EGO_SPEED = 13  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) for 3 seconds
-    do Skid(line, 1.8, 4.5) for 1.2 seconds
+    do Skid(line, 1.8, 4.5) for 1.2 seconds  # loses control for a moment
     do Drive(line, EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

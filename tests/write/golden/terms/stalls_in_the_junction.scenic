@@ -15,15 +15,15 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 10  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until self._intersection is not None
-    do Drive(line, 0, rate=5)
+    do Stop(line, rate=5)  # stops
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights(place.turn)
+require monitor Lights(place.turn)  # in CARLA: ego's is green
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

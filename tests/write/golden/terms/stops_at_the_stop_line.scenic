@@ -15,16 +15,16 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 10  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until to_line(self, place.lane) < 0.5 + self.speed ** 2 / 6
-    do StopAtLine(line, place.lane, EGO_SPEED)
-    do Drive(line, 0, rate=3.5)
+    do StopAtLine(line, place.lane, EGO_SPEED)  # stops
+    do Stop(line, rate=3.5)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights(place.turn, 'red')
+require monitor Lights(place.turn, 'red')  # in CARLA: ego's is red
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

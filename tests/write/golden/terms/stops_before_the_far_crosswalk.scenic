@@ -15,17 +15,17 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
-    do Drive(line, EGO_SPEED) until self._intersection
+    do Drive(line, EGO_SPEED) until self._intersection  # goes straight on
     do Drive(line, EGO_SPEED) until actor1.speed > 0.5
-    do StopBefore(line, [actor1], room=2)
-    do Drive(line, 0, rate=3.5)
+    do StopBefore(line, [actor1], room=2)  # stops
+    do Stop(line, rate=3.5)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A pedestrian behind the intersection, on the road that ego takes; it crosses the road.
 ACTOR1_SPEED = 1.4  # m/s
@@ -33,7 +33,7 @@ ACTOR1_AT = 4  # m behind the junction
 ACTOR1_ARRIVES = Range(0.21, 0.41)  # s after ego in the middle of its way, unhindered
 
 behavior Actor1Behavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     do Stand() until sets_out(self, ego, line, ACTOR1_SPEED, ACTOR1_ARRIVES)
     do Walk(self.heading, ACTOR1_SPEED, to_far_side(self, line, self.heading))
 

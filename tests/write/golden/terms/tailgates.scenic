@@ -14,7 +14,7 @@ EGO_AT = Range(25, 45)  # m along its lane
 EGO_SPEED = 25  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
@@ -24,14 +24,15 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
 
 ## O1: A car behind ego in the same lane, 8 m away, at 90 km/h; it follows ego 8 m from ego.
 ACTOR1_SPEED = 25  # m/s
-ACTOR1_AT = EGO_AT - 8 - 5  # m along the lane
+ACTOR1_GAP = 8  # m, bumper to bumper
+ACTOR1_AT = EGO_AT - ACTOR1_GAP - 5  # m along the lane; their bodies take 5
 
 behavior Actor1Behavior():
-    line = way(place.lane)
+    line = route(place.lane)
     try:
         take SetSpeedAction(ACTOR1_SPEED)
-        do Drive(line, lambda: pace(self, ego, ACTOR1_SPEED, headway=0.16), rate=4)
-    interrupt when need(self, ego) > 3:
+        do Drive(line, lambda: following_speed(self, ego, ACTOR1_SPEED, headway=0.16), rate=4)
+    interrupt when braking_needed(self, ego) > 3:  # m/s2
         do BrakeFor(line, ego)
 
 actor1 = new Car at place.lane.centerline.pointAlongBy(ACTOR1_AT),

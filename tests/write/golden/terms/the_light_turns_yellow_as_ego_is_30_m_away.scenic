@@ -15,11 +15,11 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 10  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until getClosestTrafficLightStatus(self) == 'yellow' and to_line(self, place.lane) > self.speed ** 2 / 10
-    do StopAtLine(line, place.lane, EGO_SPEED)
-    do Drive(line, 0, rate=3.5)
+    do StopAtLine(line, place.lane, EGO_SPEED)  # stops
+    do Stop(line, rate=3.5)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',

@@ -7,24 +7,25 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A motorway, 2 or more lanes in ego's direction.
-place = Uniform(*motorways(length=325, least=161, lanes=2, ego_lane='rightmost'))
+place = Uniform(*motorways(length=325, min_length=161, lanes=2, ego_lane='rightmost'))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 43.2 km/h; it brakes at walking pace at a distance of 25 m.
 EGO_SPEED = 12  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until gap(self, booth) < 25
-    do Drive(line, 1.95, rate=3)
+    do Drive(line, 1.95, rate=3)  # brakes
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 
 ## O1: A toll booth at the right roadside, 110 m away.
-BOOTH_AT = EGO_AT + 110 + 4.1  # m along the lane
+BOOTH_GAP = 110  # m, bumper to bumper
+BOOTH_AT = EGO_AT + BOOTH_GAP + 4.1  # m along the lane; their bodies take 4.1
 booth = new Kiosk at beside(place.lane.rightEdge, place.lane, BOOTH_AT, 2.4),
     facing heading_at(place.lane, BOOTH_AT),
     with regionContainedIn everywhere,

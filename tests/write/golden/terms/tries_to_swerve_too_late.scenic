@@ -7,27 +7,28 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=375, least=112, speed=15))
+place = Uniform(*stretches(straight=True, length=375, min_length=112, speed=15))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 50.4 km/h; it swerves to the left at a TTC of 1.0 s, then hits the actor1.
 EGO_SPEED = 14  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until ttc(self, actor1) < 1
     do Drive(line, EGO_SPEED, offset=2.2, shift=2.5) until touch(self, actor1)
-    do Drive(line, EGO_SPEED) until touch(self, actor1)
-    do Drive(line, 0, rate=6)
+    do Drive(line, EGO_SPEED) until touch(self, actor1)  # hits the actor1
+    do Stop(line, rate=6)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A car ahead of ego in the same lane, 60 m away; it stands still.
-ACTOR1_AT = EGO_AT + 60 + 5  # m along the lane
+ACTOR1_GAP = 60  # m, bumper to bumper
+ACTOR1_AT = EGO_AT + ACTOR1_GAP + 5  # m along the lane; their bodies take 5
 actor1 = new Car at place.lane.centerline.pointAlongBy(ACTOR1_AT),
     with blueprint Uniform(*CARS)
 

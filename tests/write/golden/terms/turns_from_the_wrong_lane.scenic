@@ -15,24 +15,25 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED)
-    interrupt when need(self, actor1) > 2.5:
+    interrupt when braking_needed(self, actor1) > 2.5:  # m/s2
         do BrakeFor(line, actor1)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A car ahead of ego in the lane to the right, 8 m away, at 28.8 km/h; it turns left.
 ACTOR1_SPEED = 8  # m/s
-ACTOR1_AT = EGO_AT + 8 + 5  # m along the lane
+ACTOR1_GAP = 8  # m, bumper to bumper
+ACTOR1_AT = EGO_AT + ACTOR1_GAP + 5  # m along the lane; their bodies take 5
 actor1 = new Car at place.right_lane.centerline.pointAlongBy(ACTOR1_AT),
     with blueprint Uniform(*CARS),
-    with behavior Cruise(way(place.right_lane, LEFT_TURN), ACTOR1_SPEED)
+    with behavior Cruise(route(place.right_lane, LEFT_TURN), ACTOR1_SPEED)
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

@@ -14,7 +14,7 @@ EGO_AT = Range(35, 55)  # m along its lane
 EGO_SPEED = 25  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
@@ -24,10 +24,11 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
 
 ## O1: A car behind ego in the lane to the left, 20 m away, 2 lanes over, at 115 km/h.
 FAST_SPEED = 32  # m/s
-FAST_AT = EGO_AT - 20 - 5  # m along the lane
+FAST_GAP = 20  # m, bumper to bumper
+FAST_AT = EGO_AT - FAST_GAP - 5  # m along the lane; their bodies take 5
 fast = new Car at place.far_left_lane.centerline.pointAlongBy(FAST_AT),
     with blueprint Uniform(*CARS),
-    with behavior Cruise(way(place.far_left_lane), FAST_SPEED)
+    with behavior Cruise(route(place.far_left_lane), FAST_SPEED)
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

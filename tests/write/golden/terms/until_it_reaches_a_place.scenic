@@ -15,16 +15,16 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) for 3 seconds
-    do Drive(line, 13, rate=2.5) until to_line(self, place.lane) < 25.3
-    do Drive(line, 6, rate=3)
+    do Drive(line, 13, rate=2.5) until to_line(self, place.lane) < 25.3  # accelerates
+    do Drive(line, 6, rate=3)  # brakes
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

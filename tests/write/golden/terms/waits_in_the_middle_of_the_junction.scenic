@@ -15,30 +15,30 @@ EGO_AT = place.length - EGO_TO_JUNCTION
 EGO_SPEED = 11  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane, place.turn)
+    line = route(place.lane, place.turn)
     try:
         take SetSpeedAction(EGO_SPEED)
         do Drive(line, EGO_SPEED) for 3 seconds
         do Drive(line, lambda: short_of_ways(self, line, [actor1], EGO_SPEED, room=4), rate=5) until self.speed < 0.2
-        do Drive(line, 0, rate=4) until passed(actor1, self, 0)
-        do Drive(line, EGO_SPEED)
-    interrupt when need(self, actor1) > 3:
+        do Stop(line, rate=4) until passed(actor1, self, 0)
+        do Drive(line, EGO_SPEED)  # turns left
+    interrupt when braking_needed(self, actor1) > 3:  # m/s2
         do BrakeFor(line, actor1)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights(place.turn)
+require monitor Lights(place.turn)  # in CARLA: ego's is green
 
 ## O1: A car on the opposite approach of the intersection; it goes straight on.
 ACTOR1_SPEED = 11  # m/s
 ACTOR1_AHEAD = Range(-2.8, -2.2)  # s before ego where their ways cross, if neither reacts
 ACTOR1_TO_JUNCTION = start_to_meet(
-    place.from_opposite, way(place.from_opposite), ACTOR1_SPEED,
-    way(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=ACTOR1_AHEAD)  # m
+    place.from_opposite, route(place.from_opposite), ACTOR1_SPEED,
+    route(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=ACTOR1_AHEAD)  # m
 actor1 = new Car at place.from_opposite.centerline.pointAlongBy(-ACTOR1_TO_JUNCTION),
     with blueprint Uniform(*CARS),
-    with behavior Cruise(way(place.from_opposite), ACTOR1_SPEED)
+    with behavior Cruise(route(place.from_opposite), ACTOR1_SPEED)
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

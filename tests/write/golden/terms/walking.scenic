@@ -7,29 +7,30 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=225, least=98, ego_lane='rightmost'))
+place = Uniform(*stretches(straight=True, length=225, min_length=98, ego_lane='rightmost'))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 28.8 km/h.
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A pedestrian on the right sidewalk, 50 m away; it crosses the road at a walk.
 ACTOR1_SPEED = Range(1.2, 1.6)  # m/s
-ACTOR1_AT = EGO_AT + 50 + 2.85  # m along the lane
+ACTOR1_GAP = 50  # m, bumper to bumper
+ACTOR1_AT = EGO_AT + ACTOR1_GAP + 2.85  # m along the lane; their bodies take 2.85
 ACTOR1_ARRIVES = Range(-1.67, -1.27)  # s after ego in the middle of its way, unhindered
 
 behavior Actor1Behavior():
-    line = way(place.lane)
+    line = route(place.lane)
     do Stand() until sets_out(self, ego, line, ACTOR1_SPEED, ACTOR1_ARRIVES)
     do Walk(self.heading, ACTOR1_SPEED, to_far_side(self, line, self.heading))
 

@@ -7,29 +7,30 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=225, least=98, ego_lane='rightmost'))
+place = Uniform(*stretches(straight=True, length=225, min_length=98, ego_lane='rightmost'))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 28.8 km/h.
 EGO_SPEED = 8  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A pedestrian on the right sidewalk, 50 m away; it crosses the road at a stroll.
 WHEELCHAIR_SPEED = Range(0.7, 1)  # m/s
-WHEELCHAIR_AT = EGO_AT + 50 + 2.85  # m along the lane
+WHEELCHAIR_GAP = 50  # m, bumper to bumper
+WHEELCHAIR_AT = EGO_AT + WHEELCHAIR_GAP + 2.85  # m along the lane; their bodies take 2.85
 WHEELCHAIR_ARRIVES = Range(-2.2, -1.8)  # s after ego in the middle of its way, unhindered
 
 behavior WheelchairBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     do Stand() until sets_out(self, ego, line, WHEELCHAIR_SPEED, WHEELCHAIR_ARRIVES)
     do Walk(self.heading, WHEELCHAIR_SPEED, to_far_side(self, line, self.heading))
 

@@ -7,18 +7,18 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A motorway, 2 or more lanes in ego's direction.
-place = Uniform(*motorways(length=675, least=102, lanes=2, ego_lane='rightmost', speed=32.5))
+place = Uniform(*motorways(length=675, min_length=102, lanes=2, ego_lane='rightmost', speed=32.5))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 90 km/h; it changes lane to the left when the lead is as far as 25 m from the fast.
 EGO_SPEED = 25  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
+    line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until gap(lead, fast) > 25
-    line = way(place.left_lane)
-    do Drive(line, EGO_SPEED)
+    line = route(place.left_lane)
+    do Drive(line, EGO_SPEED)  # changes lane to the left
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
@@ -26,17 +26,19 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
 
 ## O1: A car ahead of ego in the same lane, 50 m away, at 90 km/h.
 LEAD_SPEED = 25  # m/s
-LEAD_AT = EGO_AT + 50 + 5  # m along the lane
+LEAD_GAP = 50  # m, bumper to bumper
+LEAD_AT = EGO_AT + LEAD_GAP + 5  # m along the lane; their bodies take 5
 lead = new Car at place.lane.centerline.pointAlongBy(LEAD_AT),
     with blueprint Uniform(*CARS),
-    with behavior Cruise(way(place.lane), LEAD_SPEED)
+    with behavior Cruise(route(place.lane), LEAD_SPEED)
 
 ## O2: A car ahead of ego in the lane to the left, 40 m away, at 112 km/h.
 FAST_SPEED = 31  # m/s
-FAST_AT = EGO_AT + 40 + 5  # m along the lane
+FAST_GAP = 40  # m, bumper to bumper
+FAST_AT = EGO_AT + FAST_GAP + 5  # m along the lane; their bodies take 5
 fast = new Car at place.left_lane.centerline.pointAlongBy(FAST_AT),
     with blueprint Uniform(*CARS),
-    with behavior Cruise(way(place.left_lane), FAST_SPEED)
+    with behavior Cruise(route(place.left_lane), FAST_SPEED)
 
 ## T: No restriction beyond the scene itself.
 terminate after 20 seconds

@@ -14,19 +14,20 @@ EGO_AT = Range(45, 65)  # m along its lane
 EGO_SPEED = 0  # m/s
 
 behavior EgoBehavior():
-    line = way(place.lane)
-    do BackInto(actor1, 2) until touch(self, actor1)
+    line = route(place.lane)
+    do BackInto(actor1, 2) until touch(self, actor1)  # reverses
     take SetReverseAction(False)
-    do Drive(line, 2) until touch(self, actor1)
-    do Drive(line, 0, rate=6)
+    do Drive(line, 2) until touch(self, actor1)  # hits the actor1
+    do Stop(line, rate=6)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
-require monitor Lights()
+require monitor Lights()  # in CARLA: all are green
 
 ## O1: A car behind ego in the same lane, 8 m away; it stands still.
-ACTOR1_AT = EGO_AT - 8 - 5  # m along the lane
+ACTOR1_GAP = 8  # m, bumper to bumper
+ACTOR1_AT = EGO_AT - ACTOR1_GAP - 5  # m along the lane; their bodies take 5
 actor1 = new Car at place.lane.centerline.pointAlongBy(ACTOR1_AT),
     with blueprint Uniform(*CARS)
 

@@ -1,7 +1,8 @@
 """Behaviours in the shapes of the typed writer, read back: a line that is driven along at a speed, step by step.
 
-A step is a `do Drive(line, speed, rate=...)` or `do Stop(line, rate=...)` with the condition that ends it. What is in none
-of these shapes (a change to another line, a place to the side of it, a speed that follows another's) stays code.
+A step is a `do Drive(line, speed, rate=...)`, or one of `Stop`, `SlowTo` and `SpeedUpTo`, with the condition that ends
+it. What is in none of these shapes (a change to another line, a place to the side of it, a speed that follows that of
+another) stays code.
 """
 
 import ast
@@ -13,6 +14,8 @@ from c2s_engine.check.values import Values, ends_of
 from c2s_engine.structure.specs import Phase, Trigger
 
 _DRIVE = ("points", "speed", "rate", "offset", "shift")
+_REACHING = ("SlowTo", "SpeedUpTo")
+_DRIVES = ("Drive", "Stop", *_REACHING)
 _BRAKING = {(2.5, "BrakeFor"): False, (5.6, "EmergencyStop"): True}
 """Ego's, by the need for it (m/s2) and the behaviour: whether hard."""
 _RATES = {3.0: "brake", 3.5: "stop", 2.5: "accelerate", 4.0: "wait"}  # m/s2
@@ -34,6 +37,7 @@ class _Step:
     rate: float | None
     until: Any  # a condition
     seconds: float | None
+    reaches: bool = False  # whether it ends as its speed is reached
 
 
 class NotWritten(Exception):
@@ -107,8 +111,8 @@ class Written:
             raise NotWritten
         call = node.elts[0]
         named = {k.arg: k.value for k in call.keywords} if isinstance(call, ast.Call) else {}
-        stops = _called(call) == "Stop"
-        if _called(call) not in ("Drive", "Stop") or len(call.args) != 2 - stops or set(named) - {"rate"}:
+        does = _called(call)
+        if does not in _DRIVES or len(call.args) != 2 - (does == "Stop") or set(named) - {"rate"}:
             raise NotWritten
         if not isinstance(call.args[0], ast.Name) or call.args[0].id != line:
             raise NotWritten
@@ -117,8 +121,9 @@ class Written:
             if not isinstance(node.duration, s.Seconds):
                 raise NotWritten
             seconds = self._exactly(node.duration.value)
-        speed = ast.Constant(0) if stops else call.args[1]
-        return _Step(speed, rate, node.cond if isinstance(node, s.DoUntil) else None, seconds)
+        speed = ast.Constant(0) if does == "Stop" else call.args[1]
+        until = node.cond if isinstance(node, s.DoUntil) else None
+        return _Step(speed, rate, until, seconds, reaches=does in _REACHING and until is None and seconds is None)
 
     def _exactly(self, node: Any) -> float:
         value = self.values.number(node)
@@ -175,6 +180,8 @@ class Written:
 
     def _reaches(self, step: _Step, sign: type, speed: float) -> bool:
         """Whether a step ends as its own speed comes under or over that many m/s."""
+        if step.reaches:
+            return True
         compared = _comparison(step.until)
         if compared is None or not isinstance(compared[1], sign) or _attribute(compared[0]) != "self.speed":
             return False

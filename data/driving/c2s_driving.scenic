@@ -545,6 +545,14 @@ behavior Stop(points, rate=3, offset=0, shift=2.2):
     """Slow down by `rate` (m/s2) to a stand on the points, as `Drive` follows them, and stay there."""
     do Drive(points, 0, rate=rate, offset=offset, shift=shift)
 
+behavior SlowTo(points, speed, rate=3, offset=0, shift=2.2):
+    """`Drive` at a lower speed (m/s) until that is reached, to within 0.5 m/s."""
+    do Drive(points, speed, rate=rate, offset=offset, shift=shift) until self.speed < speed + 0.5
+
+behavior SpeedUpTo(points, speed, rate=3, offset=0, shift=2.2):
+    """`Drive` at a higher speed (m/s) until that is reached, to within 0.5 m/s."""
+    do Drive(points, speed, rate=rate, offset=offset, shift=shift) until self.speed > speed - 0.5
+
 behavior Cruise(points, speed):
     """Follow points at `speed` (m/s) from the first."""
     take SetSpeedAction(speed)

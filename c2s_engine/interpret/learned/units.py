@@ -25,8 +25,8 @@ WORDS = {
 NOT_MEASURED = ("arms", "lanes", "lanes_over", "count")
 LEFT_OUT = ("component", "later", "model", "preset", "parameters", "map")
 ONES = {word: number for number, word in enumerate([
-    "zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve", "thirteen",
-    "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen"])}  # fmt: skip
+    "zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve",
+    "thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen"])}  # fmt: skip
 TENS = {word: 10 * number for number, word in enumerate(
     ["twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety", "hundred"], 2)}  # fmt: skip
 _SPELT = rf"(?:(?:{'|'.join(TENS)})[\s-](?:{'|'.join(ONES)})|one hundred|{'|'.join((*TENS, *ONES))})"

@@ -1,5 +1,7 @@
 """Phases to a Scenic behaviour: each becomes one `do`, ended by the next phase's trigger or its own completion."""
 
+import re
+
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.sentences import action_of
 from c2s_engine.structure.specs import ObjectSpec, Phase, SettingsSpec, Trigger
@@ -26,6 +28,8 @@ SLOW = "5"
 """m/s at which somebody comes up to where it first stands."""
 AT_SIGN = {"run_stop", "stop", "yield", "wait", "stationary"}
 """What says itself what ego does at its stop sign."""
+NEAR_SPEED = 0.5
+"""m/s within which a speed is reached, as `SlowTo` and `SpeedUpTo` have it."""
 COMMENTED = 84
 """Characters of a statement with its comment, in a line of 100."""
 QUEUED = 3.0
@@ -49,12 +53,22 @@ def body(actor: Actor) -> list[str]:
         out += [s for s in before if s != line]
         line = next((s for s in reversed(before) if s.startswith("line = ")), line)
         last = i == len(done) - 1
-        if not last and (final.startswith(("do Drive(", "do Stop(")) or until):
+        if not last and (reaches := _reaches(final, until)):
+            final, until = reaches, ""
+        elif not last and (final.startswith(("do Drive(", "do Stop(")) or until):
             first = ahead.awaited(actor.structure, actor.cid) if i == 0 else 0.0
             final += f" {until or f'for {scope.number(first or 3)} seconds'}"
         comment = begun.get(i) if len(done) > 1 else ""
         out.append(f"{final}  # {comment}" if comment and len(final) + len(comment) < COMMENTED else final)
     return out
+
+
+def _reaches(drive: str, until: str) -> str:
+    """The library's behaviour for driving until a speed is reached, to within `NEAR_SPEED`; "": it is not that."""
+    found = re.fullmatch(r"do Drive\(line, ([\d.]+)(.*)\) until self\.speed ([<>]) ([\d.]+)", f"{drive} {until}")
+    if found is None or abs(abs(float(found[4]) - float(found[1])) - NEAR_SPEED) > 0.006:
+        return ""
+    return f"do {'SlowTo' if found[3] == '<' else 'SpeedUpTo'}(line, {found[1]}{found[2]})"
 
 
 def _up_to_contact(phases: list[Phase], speed: float) -> list[Phase]:
@@ -74,6 +88,7 @@ def _steps(course: Course) -> tuple[list[Step], dict[int, str]]:
     phases = phases_of(course.actor)
     done: list[Step] = []
     begun: dict[int, str] = {}
+    since = 0  # the first step of the phase before
     course.behind = _overtaken_later(course, phases)
     if not phases or phases[0].trigger is not None or implicit(course, phases[0]):
         done.append(([course.drive(SLOW if course.actor.sets_out else _behind_awaited(course, phases))], ""))
@@ -95,13 +110,15 @@ def _steps(course: Course) -> tuple[list[Step], dict[int, str]]:
             if stands and phase.trigger and phase.trigger.kind == "passed":  # even if that one has gone by before
                 done.append(done[-1])
             done[-1] = (done[-1][0], condition)
+            if phase.trigger and phase.trigger.kind == "contact":  # it breaks off whatever is being done
+                done[since:] = [(statements, until or condition) for statements, until in done[since:]]
             if phase.trigger and phase.trigger.delay is not None and phase.trigger.kind != "time":
                 done.append((done[-1][0][-1:], f"for {scope.quantity(phase.trigger.delay)} seconds"))
             if phase.trigger and merges:
                 done.append((done[-1][0][-1:], "until self._lane is place.acceleration_lane"))
         course.behind = _overtaken_later(course, phases[i:])
         home, course.home = course.home, []
-        own = steps(course, phase)
+        own, since = steps(course, phase), len(done)
         if own:
             begun[len(done)] = action_of(phase, course.actor.structure)
         done.extend(own)

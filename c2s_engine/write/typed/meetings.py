@@ -114,9 +114,12 @@ def start(structure: Structure, cid: str, plan: Plan, lane: str, line: str, at: 
     if found is None or egos is None:
         return None
     if found.clear is None:
-        name = f"{prefix}_AHEAD"
-        first = f"{name} = {scope.quantity(found.ahead)}  # s before ego where their ways cross, if neither reacts"
-        how = f"ahead={name}{_parts(found.parts)}{_too_late(structure, cid)}"
+        ends, after = (low(found.ahead), high(found.ahead)), high(found.ahead) < 0
+        name = f"{prefix}_AFTER" if after else f"{prefix}_AHEAD"
+        seconds = scope.quantity((-ends[1], -ends[0]) if after else ends)
+        order = "after" if after else "before"
+        first = f"{name} = {seconds}  # s {order} ego where their ways cross, if neither reacts"
+        how = f"ahead={'-' * after}{name}{_parts(found.parts)}{_too_late(structure, cid)}"
     else:
         name = f"{prefix}_CLEAR"
         who = "it goes first" if found.clear > 0 else "ego goes first"

@@ -1,7 +1,8 @@
 """`python -m c2s_bench.reading.train MODEL_FOLDER OUT`: fine-tune SmolLM2-135M (its GGUF) into the learned reader.
 
 A LoRA adapter over all linear layers, loss on the answer alone, bf16 on a GPU; OUT/reader.gguf is written for llama.cpp
-and Ollama. It learns to read texts, and changes upon scenes. 64 pairs took 0.25 s on one H100, some 50 s on two cores.
+and Ollama. It learns to read texts, and changes upon scenes. 64 pairs took 0.25 s on one H100, some 56 s on two cores
+(--lowest 14 --dropout 0).
 --start goes on from an adapter, with --writers on their texts and shares (--replay, --changes) of the others and of the
 changes; --minutes ends it, --lowest leaves the layers below as they are. Needs, besides torch and transformers, the
 packages accelerate and gguf, which c2s itself does not.

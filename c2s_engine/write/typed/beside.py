@@ -1,5 +1,6 @@
 """Where an object starts beside the road, as Scenic: outwards from the edge of the lanes nearest to a point of one."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from c2s_engine.structure.components import Structure
@@ -95,7 +96,7 @@ def by_door(structure: Structure, spec: ObjectSpec) -> Spot:
 
 
 def _edge(
-    spec: ObjectSpec, constants: list[str], along: str, lane: str, plan: Plan, back: float = 0.0, step: float = 0.0
+    spec: ObjectSpec, constants: Sequence[str], along: str, lane: str, plan: Plan, back: float = 0.0, step: float = 0.0
 ) -> Spot:
     """Beside the road: outwards from the edge of the lanes, next to where one is so far `along` the lane, and
     so far `back` from there, each of several by a `step` further out."""

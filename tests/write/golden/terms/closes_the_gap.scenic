@@ -17,7 +17,7 @@ behavior EgoBehavior():
     line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) for 3 seconds
-    do Drive(line, 26, rate=2.5) until self.speed > 25.5  # accelerates
+    do SpeedUpTo(line, 26, rate=2.5)  # accelerates
     do Drive(line, lambda: following_speed(self, actor1, 26, headway=0.27), rate=4)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),

@@ -16,7 +16,7 @@ EGO_SPEED = 0  # m/s
 behavior EgoBehavior():
     line = route(place.lane)
     do Drive(line, EGO_SPEED) for 3 seconds
-    do Drive(line, 3, rate=2) until self.speed > 2.5  # moves off
+    do SpeedUpTo(line, 3, rate=2)  # moves off
     do Stop(line, rate=3.5) until self.speed < 0.2  # stops
     do Stop(line, rate=3.5) for 1 seconds
     do Stop(line, rate=4) for 2 seconds  # waits

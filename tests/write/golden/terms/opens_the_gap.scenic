@@ -17,7 +17,7 @@ behavior EgoBehavior():
     line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) for 3 seconds
-    do Drive(line, 18, rate=2) until self.speed < 18.5  # brakes
+    do SlowTo(line, 18, rate=2)  # brakes
     do Drive(line, lambda: following_speed(self, actor1, EGO_SPEED, headway=1.41), rate=4)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),

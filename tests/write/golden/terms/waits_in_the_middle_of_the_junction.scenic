@@ -32,10 +32,10 @@ require monitor Lights(place.turn)  # in CARLA: ego's is green
 
 ## O1: A car on the opposite approach of the intersection; it goes straight on.
 ACTOR1_SPEED = 11  # m/s
-ACTOR1_AHEAD = Range(-2.8, -2.2)  # s before ego where their ways cross, if neither reacts
+ACTOR1_AFTER = Range(2.2, 2.8)  # s after ego where their ways cross, if neither reacts
 ACTOR1_TO_JUNCTION = start_to_meet(
     place.from_opposite, route(place.from_opposite), ACTOR1_SPEED,
-    route(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=ACTOR1_AHEAD)  # m
+    route(place.lane, place.turn), EGO_AT, EGO_SPEED, ahead=-ACTOR1_AFTER)  # m
 actor1 = new Car at place.from_opposite.centerline.pointAlongBy(-ACTOR1_TO_JUNCTION),
     with blueprint Uniform(*CARS),
     with behavior Cruise(route(place.from_opposite), ACTOR1_SPEED)

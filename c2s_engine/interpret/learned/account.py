@@ -114,16 +114,17 @@ def _of_clause(
 
 def _terms(component: Component, structure: Structure) -> Iterator[tuple[str, str]]:
     """The stems by which a component is spoken of, each with the field that says it: later ones count."""
-    for found in stems(sentence(component, structure)) - _small_stems():
+    egos = frozenset(language.table("trade")["ego"])
+    for found in stems(sentence(component, structure)) - _small_stems() - egos:
         yield found, ""
     if component.id == "E":
-        yield from ((word, "") for word in language.table("trade")["ego"])
+        yield from ((word, "") for word in egos)
     for path, value in _values_of(component.spec.model_dump(exclude_defaults=True, exclude={"component", "name"})):
         if value is True:
             yield stem(path.split(".")[-1]), _whole(path)
         if isinstance(value, str) and not re.fullmatch(r"O\d+|ego", value):
             field = _whole(path)
-            yield from ((word, field) for word in stems(value) - _small_stems())
+            yield from ((word, field) for word in stems(f"{value} {value.removesuffix('most')}") - _small_stems())
             if path.endswith((".action", "reaction")):
                 yield from ((word, field) for word in _verbs().get(value, ()))
 

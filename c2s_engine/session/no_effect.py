@@ -4,13 +4,14 @@ import re
 from collections.abc import Sequence
 
 from c2s_engine.interpret import language
+from c2s_engine.interpret.learned.units import ONES
 from c2s_engine.interpret.mentions import mentions
 from c2s_engine.session.reader import phrases
 from c2s_engine.session.steps import Tools
 from c2s_engine.structure.account import meets
 from c2s_engine.structure.components import Component, Structure, Unmet
+from c2s_engine.structure.objects import types
 from c2s_engine.structure.sentences import sentence
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.structure.stems import stems
 
 SHOWN = 60
@@ -30,7 +31,7 @@ async def without_effect(text: str, structure: Structure, tools: Tools) -> tuple
     known = [u.span for u in lost if u.span] if own else []
     rests = [li.span for c in structure.components for li in c.links if li.span and li.field] if own else []
     said = frozenset(s for c in structure.components for s in stems(_told(c, structure)))
-    nobody = SMALL | stems(" ".join((*language.table("trade")["again"], *_nouns(text, structure))))
+    nobody = SMALL | stems(" ".join((*language.table("trade")["again"], *ONES, *_nouns(text, structure))))
     found: list[Span] = []
     for start, end in await phrases(text, tools):
         begin = start + JOINED.match(text[start:end]).end()  # type: ignore[union-attr]
@@ -42,8 +43,7 @@ async def without_effect(text: str, structure: Structure, tools: Tools) -> tuple
 
 def _nouns(text: str, structure: Structure) -> list[str]:
     """The nouns of a text that mean somebody of S."""
-    there = {c.spec.type for c in (structure.ego, *structure.objects) if isinstance(c.spec, EgoSpec | ObjectSpec)}
-    return [text[n.start : n.end] for n in mentions(text) if any(n.fits(kind) for kind in there)]
+    return [text[n.start : n.end] for n in mentions(text) if any(map(n.fits, types(structure)))]
 
 
 def _told(component: Component, structure: Structure) -> str:

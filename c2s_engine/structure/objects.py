@@ -3,13 +3,19 @@
 import keyword
 
 from c2s_engine.structure.components import Component, Structure, Unmet
-from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 
 
 def object_spec(component: Component) -> ObjectSpec:
     """The spec of an object's component."""
     assert isinstance(component.spec, ObjectSpec)
     return component.spec
+
+
+def types(structure: Structure) -> frozenset[str]:
+    """What ego and the objects are."""
+    specs = (c.spec for c in (structure.ego, *structure.objects))
+    return frozenset(spec.type for spec in specs if isinstance(spec, EgoSpec | ObjectSpec))
 
 
 def distinct_names(structure: Structure) -> Structure:

@@ -126,6 +126,19 @@ def test_simple_phases_come_back(writer: TypedWriter, phases: tuple[Phase, ...])
     assert read_back(writer, made) == {"E": True, "O1": True}
 
 
+def test_programs_with_the_library_s_earlier_names_come_back_as_well(writer: TypedWriter) -> None:
+    brakes = Phase(action="brake", trigger=Trigger(kind="time", value=5))
+    other = ObjectSpec(name="other", type="car", speed=8, phases=(brakes,))
+    made = structure(EgoSpec(speed=9, reaction="brake"), other)
+    text = "".join(writer.write(made, c.id).code for c in made.components)
+    older = text.replace("route(", "way(").replace("braking_needed(", "need(")
+    assert older != text
+    now, before = (importer.import_program(ImportRequest(text=t)).structure for t in (text, older))
+    assert now is not None and before is not None
+    for cid in ("E", "O1"):
+        assert before[cid].spec == now[cid].spec and before[cid].unmet == now[cid].unmet
+
+
 def test_an_edited_step_is_read_as_it_is(writer: TypedWriter) -> None:
     made = structure(EgoSpec(speed=9), ObjectSpec(name="other", type="car", speed=8, phases=(Phase(action="stop"),)))
     text = "".join(writer.write(made, c.id).code for c in made.components)

@@ -24,8 +24,9 @@ from c2s_engine.interpret.settings import Settings
 from c2s_engine.interpret.text import normalised
 from c2s_engine.structure.account import UNSAID, covering, meets
 from c2s_engine.structure.components import Component, Link, Structure, Unmet
+from c2s_engine.structure.objects import types
 from c2s_engine.structure.sentences import sentence
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.structure.stems import stem, stems
 from c2s_engine.structure.vocabulary import VEHICLES
 
@@ -166,7 +167,7 @@ def _values(structure: Structure, numbers: Sequence[Number]) -> Iterator[Unmet]:
 
 def _absent(structure: Structure, nouns: Sequence[Mention]) -> Iterator[Unmet]:
     """The vehicles and animals that the text names and that nobody of S can be."""
-    there = {c.spec.type for c in (structure.ego, *structure.objects) if isinstance(c.spec, EgoSpec | ObjectSpec)}
+    there = types(structure)
     for noun in nouns:
         known = any(noun.fits(kind) for kind in there) or there & set(KIN.get(noun.type, "").split())
         if noun.type in WHEELED and not known:

@@ -44,8 +44,7 @@ def body(actor: Actor) -> list[str]:
         out.append(f"take SetSpeedAction({SLOW if actor.sets_out else actor.speed})")
     done, begun = _steps(course)
     while len(done) > 1 and done[-2][0] == done[-1][0]:  # it goes on with the same for good
-        last = len(done) - 1
-        begun[last - 1] = begun.get(last - 1) or begun.get(last, "")
+        begun[len(done) - 2] = begun.get(len(done) - 2) or begun.get(len(done) - 1, "")
         del done[-2]
     line = out[0]
     for i, (statements, until) in enumerate(done):

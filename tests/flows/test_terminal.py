@@ -14,7 +14,7 @@ import pytest
 
 pytestmark = [pytest.mark.full, pytest.mark.skipif(shutil.which("tmux") is None, reason="tmux is not installed")]
 
-TEXT = "Ego drives at 50 km/h on a road with two lanes. A van in the left lane cuts in 15 m ahead."
+TEXT = "Ego drives at 50 km/h in the right lane of a road with two lanes. A van in the left lane cuts in 15 m ahead."
 PATIENCE = 120.0
 """Seconds until a screen must show what is waited for; a busy machine is slow."""
 
@@ -139,7 +139,7 @@ def test_kill_nine_loses_no_turn_and_at_most_a_second_of_typing(terminal):
     screen = terminal.shows("and then it half")
     assert "cuts in" in screen
     terminal.shows("met")
-    terminal.shows("van = new Van at place.")  # the pane begins at ego: its first lines may be above it
+    terminal.shows("van = new Van at place.left_lane")  # the pane begins at ego: its first lines may be above it
 
 
 def test_detach_and_attach_and_a_dropped_line_saves(terminal):

@@ -314,11 +314,14 @@ class Engine:
         found: Read = await method.read(text, emit)
         return replace(found, structure=found.structure.model_copy(update={"read_by": method.name}))
 
-    async def without_effect(self, text: str, structure: Structure) -> tuple[Unmet, ...]:
-        """The phrases of a text (S's own, or a change that made S what it is) of which nothing is in what S says."""
+    async def without_effect(
+        self, text: str, structure: Structure, before: Structure | None = None
+    ) -> tuple[Unmet, ...]:
+        """The phrases of a text (S's own, or a change of `before` that made S what it is) of which nothing is in what S
+        says."""
         from c2s_engine.session.no_effect import without_effect
 
-        return await without_effect(text, structure, self.tools)
+        return await without_effect(text, structure, self.tools, before)
 
     def gaps(self, ways: Trajectories) -> dict[str, list[float]]:
         """By each other's name, m between its box and ego's (bumper to bumper) at each step of a run."""

@@ -122,7 +122,7 @@ class Turns(Part):
             if upon is None:
                 found = await self.backend.ask(lambda _: self.session.without_effect())
             else:
-                found = tuple(await self.backend.ask(lambda engine: engine.without_effect(text, now)))
+                found = tuple(await self.backend.ask(lambda engine: engine.without_effect(text, now, upon)))
                 await asyncio.to_thread(session.keep_idle, text, found)
         except (ValueError, OSError):
             return  # what cannot be read is said by the turn

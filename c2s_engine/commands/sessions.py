@@ -270,7 +270,7 @@ async def _work(
                 upon = session.structure
                 done = await _take(session.say(say, **options), quiet, told)
                 if done is not None and session.structure != upon:
-                    idle = await _without_effect(engine, session, say)
+                    idle = await _without_effect(engine, session, say, upon)
                     done = done.model_copy(update={"details": {**done.details, "without_effect": idle}})
             if edits:
                 meant = [_meant(edit, session.structure) for edit in edits]
@@ -282,11 +282,13 @@ async def _work(
     return session, done
 
 
-async def _without_effect(engine: "Engine", session: "Session", said: str) -> "tuple[Unmet, ...]":
-    """The words of a description, or of a change, that nothing in S says."""
+async def _without_effect(
+    engine: "Engine", session: "Session", said: str, before: Structure
+) -> "tuple[Unmet, ...]":
+    """The words of a description, or of a change of what S was `before`, that nothing in S says."""
     if session.structure.text == said:
         return await session.without_effect()
-    found = await engine.without_effect(said, session.structure)
+    found = await engine.without_effect(said, session.structure, before)
     session.keep_idle(said, found)
     return found
 
@@ -332,6 +334,7 @@ def _print(session: "Session", idle: Sequence["Unmet"]) -> None:
         when = datetime.fromtimestamp(turn.when).strftime("%Y-%m-%d %H:%M")
         out.print(Text(f"{turn.index + 1:>3}  {when}  {turn.text[:70]}  ({turn.summary})", style="dim"), soft_wrap=True)
     show.structure(session.structure)
+    show.conflicts(session.structure, session.name)
     show.stages(session.stages)
     show.diagnostics([d for s in session.stages for d in s.diagnostics])
     of_text = session.idle or ()

@@ -1,6 +1,7 @@
 """How results look on a terminal: S, stages, diagnostics, what was said and what was seen."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from difflib import unified_diff
 from typing import Any
 
 from rich.console import Console
@@ -78,6 +79,16 @@ def outcome(
     if left := given_up(s):
         to.print(Text(f"Changed from the text: {', '.join(left)}", style="yellow"))
     without_effect(idle, to)
+
+
+def conflicts(s: Structure, session: str, to: Console = out) -> None:
+    """Where code by hand says otherwise than S: what would be written instead, and how to take it."""
+    for component in s.components:
+        if component.conflict:
+            lines = unified_diff(component.code.splitlines(), component.conflict.splitlines(), lineterm="", n=0)
+            changed = "\n".join(f"    {line}" for line in lines if line[:1] in "+-" and line[:3] not in ("---", "+++"))
+            to.print(Text(f"{component.id}: your code is in conflict with its fields, by which it would be\n{changed}\n"
+                          f"    (`c2s edit {session} --code {component.id}=` takes that)", style="yellow"))  # fmt: skip
 
 
 def without_effect(found: Sequence[Unmet], to: Console = out) -> None:

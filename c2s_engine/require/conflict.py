@@ -240,8 +240,10 @@ def _onset_of(scene: Scene, actor: str) -> str:
     spec, waits = scene.objects[actor], (p.trigger for p in scene.ego.phases if p.trigger is not None)
     if told := next((t.action for t in waits if t.kind == "action" and t.of == actor), None):
         return told
-    turns = next((p.action for p in spec.phases if p.action in TURNS), "")
-    if turns and spec.placement.position not in APPROACHES:  # from beside ego, having slowed for it
+    turning = next((p for p in spec.phases if p.action in TURNS), None)
+    turns = turning.action if turning is not None else ""
+    comes = spec.placement.position in APPROACHES and spec.placement.position != "opposite_approach"
+    if turning is not None and (not comes or turning.trigger is not None):  # what it means to do is seen as it turns
         return turns
     threat = next((i for i, p in enumerate(spec.phases) if p.action in THREATS and p.action != "stationary"), None)
     if threat is not None and turns in [p.action for p in spec.phases[:threat]]:

@@ -145,6 +145,8 @@ def usual_speed(requirement: Requirement, evidence: Evidence) -> Result:
             continue
         least, most = limits["value"]
         seen = float(np.median(moving))
+        if seen < least and motion.speed[0] <= STANDING:  # it has to set out first
+            seen = float(np.percentile(moving, 90))
         return scored(requirement, min(seen - least, most - seen) / (0.25 * (most - least)),
                       f"{least:g} to {most:g} m/s", f"{seen:.1f} m/s")  # fmt: skip
     return unknown(requirement, "a usual speed", "not judged: it does not move")

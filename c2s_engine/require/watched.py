@@ -14,7 +14,7 @@ from c2s_engine.structure.facts import EGO, component_of
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import Phase, SettingsSpec, Trigger
-from c2s_engine.structure.triggers import clause, is_watched
+from c2s_engine.structure.triggers import clause, is_watched, other_of
 
 STANDS = ("stationary", "wait", "stop", "yield")
 SHOWN_AS = {"dark": ("off",), "flashing": ("yellow", "off")}
@@ -67,11 +67,11 @@ def required(scene: Scene) -> Iterator[Requirement]:
 def words(scene: Scene, t: Trigger, actor: str) -> str:
     """A trigger as sentences say it."""
     subject = t.subject or actor
-    return clause(t, scene.named(subject), scene.named(t.of or _other(scene, subject)))
+    return clause(t, scene.named(subject), scene.named(_other(scene, t, actor)))
 
 
-def _other(scene: Scene, subject: str) -> str:
-    return EGO if subject != EGO else next(iter(scene.objects), EGO)
+def _other(scene: Scene, t: Trigger, actor: str) -> str:
+    return other_of(t, actor, next(iter(scene.objects), EGO))
 
 
 def _values(scene: Scene, t: Trigger, actor: str) -> dict[str, Any]:
@@ -81,7 +81,7 @@ def _values(scene: Scene, t: Trigger, actor: str) -> dict[str, Any]:
         if t.kind == "action" and who == (t.of or EGO) and phase.action == t.action:
             awaited = f"{component_of(who)}.phases.{i}.{phase.action}"
     return {
-        "watched": t.kind, "subject": subject, "than": t.of or _other(scene, subject), "awaited": awaited,
+        "watched": t.kind, "subject": subject, "than": _other(scene, t, actor), "awaited": awaited,
         "its": t.action or "", "place": t.place or "", "light": t.light or "",
         "value": middle(t.value) if t.value is not None else -1.0,
     }  # fmt: skip

@@ -21,7 +21,9 @@ class Turns(Protocol):
 
     def apply(self, structure: Structure, edits: Any, /, *_: Any, **options: Any) -> AsyncGenerator[Progress, None]: ...
 
-    async def without_effect(self, text: str, structure: Structure) -> Sequence[Unmet]: ...
+    async def without_effect(
+        self, text: str, structure: Structure, before: Structure | None = None
+    ) -> Sequence[Unmet]: ...
 
 
 class Checking(Protocol):

@@ -1,10 +1,12 @@
 """What of a text nothing in S says, though no stage named it as lost."""
 
+import math
 import re
 from collections.abc import Sequence
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.learned.units import ONES
+from c2s_engine.interpret.learned.account import said_words, values_of
+from c2s_engine.interpret.learned.units import ONES, quantities
 from c2s_engine.interpret.mentions import mentions
 from c2s_engine.session.reader import phrases
 from c2s_engine.session.steps import Tools
@@ -23,22 +25,52 @@ REASON = "nothing in S says it"
 Span = tuple[int, int]
 
 
-async def without_effect(text: str, structure: Structure, tools: Tools) -> tuple[Unmet, ...]:
+async def without_effect(
+    text: str, structure: Structure, tools: Tools, before: Structure | None = None
+) -> tuple[Unmet, ...]:
     """The phrases of a text of which no word is in what S says, in its order: of S's own text, or of a change that made
-    S what it is. What lies in such a phrase, or was named as lost, is not named again."""
+    S what it is of what it was `before`; of a change also the quantities. What lies in such a phrase, or was named as
+    lost, is not named again."""
     own = structure.text == text
     lost = [*structure.not_understood, *structure.background, *(u for c in structure.components for u in c.unmet)]
     known = [u.span for u in lost if u.span] if own else []
     rests = [li.span for c in structure.components for li in c.links if li.span and li.field] if own else []
-    said = frozenset(s for c in structure.components for s in stems(_told(c, structure)))
+    said = frozenset(s for c in structure.components for s in (*stems(_told(c, structure)), *said_words(c, structure)))
+    said |= _of_fields(structure, before)
     nobody = SMALL | stems(" ".join((*language.table("trade")["again"], *ONES, *_nouns(text, structure))))
+    nobody |= frozenset() if own else stems(" ".join(language.table("trade")["asks"]))
     found: list[Span] = []
     for start, end in await phrases(text, tools):
         begin = start + JOINED.match(text[start:end]).end()  # type: ignore[union-attr]
         words = {word for word in stems(text[begin:end]) - nobody if len(word) > 1}  # no units
         if words and not words & said and not meets((begin, end), *rests, *known, *found):
             found.append((begin, end))
+    if not own:
+        found += [span for span in _amounts(text, structure) if not meets(span, *found)]
     return tuple(Unmet(text=text[a:b].strip(" ,;.\n"), reason=REASON, span=(a, b)) for a, b in sorted(found))
+
+
+def _of_fields(structure: Structure, before: Structure | None) -> frozenset[str]:
+    """The stems of the words for fields that became another."""
+    found: set[str] = set()
+    if before is None:
+        return frozenset()
+    for component in structure.components:
+        was = dict(values_of(before[component.id].spec.model_dump())) if component.id in before else {}
+        now = dict(values_of(component.spec.model_dump()))
+        for path in {p for p in now | was if now.get(p) != was.get(p)}:
+            found |= stems(" ".join(language.table("trade")["fields"].get(path.rsplit(".", 1)[-1], ())))
+    return frozenset(found)
+
+
+def _amounts(text: str, structure: Structure) -> list[Span]:
+    """Where quantities stand in a change that no field of S has; one by how much something changes is in none."""
+    relative = language.table("trade")["relative"]
+    held = [float(v) for c in structure.components for _, v in values_of(c.spec.model_dump(exclude_defaults=True))
+            if isinstance(v, int | float) and not isinstance(v, bool)]  # fmt: skip
+    return [(a, b) for (a, b), value, _ in quantities(text)
+            if not set(text[:a].lower().split()[-1:] + text[b:].lower().split()[:1]) & set(relative)
+            and not any(math.isclose(h, value, rel_tol=0.02, abs_tol=0.06) for h in held)]  # fmt: skip
 
 
 def _nouns(text: str, structure: Structure) -> list[str]:

@@ -94,6 +94,15 @@ def _replaced(structure: Structure) -> str:
     return f"Taken as a new description: it replaces {gone}; undo brings {'them' if len(named) > 1 else 'it'} back."
 
 
+def _own_code(structure: Structure | None) -> str:
+    """What is asked before a new description takes the place of code that the user wrote; empty where there is none."""
+    own = [c.id for c in structure.components if c.origin == "by_hand" and c.code] if structure is not None else []
+    if not own:
+        return ""
+    whose = f"{', '.join(own)} {'have' if len(own) > 1 else 'has'} code of yours"
+    return f"This reads as a new description, and {whose}: send it once more to replace all, or start a new session."
+
+
 def _as_it_was(finished: Finished, structure: Structure) -> Finished:
     """The end of a turn that failed before anything came of it."""
     details = {**finished.details, "unchanged": True}
@@ -141,7 +150,10 @@ async def _events(
                 turn = event.value
             else:
                 yield event
-    if turn.kind == "scenario":
+    if turn.kind == "scenario" and (asked := _own_code(structure)) and not (last and last[0] == text):
+        yield Say(text=asked, severity="warning")
+        yield _Next("question")
+    elif turn.kind == "scenario":
         yield _Next("scenario", text=text)
     elif turn.kind == "edit" and turn.edits:
         if turn.reply:

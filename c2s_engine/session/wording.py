@@ -14,6 +14,8 @@ from c2s_engine.session.reader import Unreadable, change
 from c2s_engine.structure.account import UNSAID
 from c2s_engine.structure.components import Structure, Unmet
 from c2s_engine.structure.edits import Edit, SetDescription, SetField, SetSpec, apply
+from c2s_engine.structure.sentences import sentence as usual_sentence
+from c2s_engine.structure.specs import ObjectSpec
 
 Span = tuple[int, int]
 _WORD = re.compile(r"\w+(?:[.'’-]\w+)*")
@@ -73,6 +75,7 @@ async def _meant(before: Structure, after: Structure, cid: str, tools: Any) -> t
     unsaid = after.with_component(after[cid].model_copy(update={"description": ""}))
     idle = await without_effect(sentence, unsaid, tools)
     words = [u.text for u in idle if u.span and _meets(u.span, new_words)]
+    words += _others(sentence, new_words, after, cid)
     reply = f"{cid}: the sentence was read; {', '.join(told).replace('_', ' ')} changed." if told else (
         f"{cid}: the sentence was read; it says nothing that changes its fields.")  # fmt: skip
     if words:
@@ -80,6 +83,14 @@ async def _meant(before: Structure, after: Structure, cid: str, tools: Any) -> t
         kept = f"{named} {'is' if len(words) == 1 else 'are'} not in S: the sentence is kept, and that is marked in it."
         reply = f"{reply} {kept}" if told else f"{cid}: {kept}"
     return changes, [Unmet(text=text, reason=UNSAID) for text in words], reply
+
+
+def _others(sentence: str, new: Sequence[Span], after: Structure, cid: str) -> list[str]:
+    """The others that the new words of a sentence name and that its fields do not."""
+    names = {c.spec.name.replace("_", " ") for c in after.objects if isinstance(c.spec, ObjectSpec) and c.id != cid}
+    said = f" {usual_sentence(after[cid], after)} ".lower()
+    found = (re.search(rf"\b{re.escape(name)}\b", sentence, re.IGNORECASE) for name in sorted({"ego", *names}))
+    return [m[0] for m in found if m and _meets(m.span(), new) and not re.search(rf"\b{m[0]}\b", said, re.IGNORECASE)]
 
 
 def _new(old: str, sentence: str) -> list[Span]:

@@ -48,8 +48,16 @@ def moves(structure: Structure, failing: Sequence[tuple[Requirement, Result]], o
     ideas = [[*e, *t] for e, t in zip(exact, tried, strict=True)]
     longest = max(map(len, ideas), default=0)
     singly = [row[k] for k in range(longest) for row in ideas if k < len(row)]
-    ending = [] if any(map(_unseen, failing)) else list(ending_of(failing, open_))  # it may be seen later on
+    unseen = any(map(_unseen, failing))  # it may be seen later on
+    ending = list(_longer(open_, usual)) if unseen else list(ending_of(failing, open_))
     return list(dict.fromkeys([*ending, _together([e[0] for e in exact if e]), *singly]))
+
+
+def _longer(open_: Sequence[Unknown], usual: Usual) -> Iterator[Move]:
+    """The run as long as anybody would take it, where it was made shorter for what S said before."""
+    length = find(open_, "T", "duration")
+    if length is not None and length.value < usual.open_duration:
+        yield length.set_to(usual.open_duration)
 
 
 def _unseen(failed: tuple[Requirement, Result]) -> bool:
@@ -152,6 +160,7 @@ def _in_time(structure: Structure, requirement: Requirement, due: float, open_: 
         (who, "placement.gap", -away if usual.speeds.get(who, 0.0) and who in usual.later else 0.0),
         ("E", "phases.0.trigger", 1.0 if who != EGO and usual.speeds.get(who, 0.0) else 0.0),
         ("R", "distance", -away),
+        ("G", "light_changes.0.when.value", 0.0 if away else -1.0),  # ego, which waits for it
     ):
         unknown = find(open_, component, path)
         if unknown is not None and grows and (move := unknown.set_to(unknown.value + grows * due, 2)):

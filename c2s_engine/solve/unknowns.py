@@ -27,7 +27,7 @@ LIMITS = {"gap": (2.0, 400.0), "speed": (1.0, 36.0), "rate": (1.0, 9.0), "durati
 """What may be chosen, by the last part of the path: m, m/s, m/s2, s, m, s, s, m or s."""
 NEAR = {"distance": METRES, "ttc": SECONDS}
 """How near is near, by what a condition watches, where S does not say: m, s."""
-_UNITS = {"distance": "m", "ttc": "s"}
+_UNITS = {"distance": "m", "ttc": "s", "time": "s"}
 HEADWAY = 0.5
 """s behind another that drives in the same lane below which no open gap is chosen."""
 STRAYS = 0.3
@@ -171,11 +171,22 @@ def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator
         yield Unknown(cid, "placement.gap", usual.gaps[cid], least=HEADWAY * usual.speeds.get(cid, 0.0) * follows)
     if isinstance(spec, ObjectSpec) and cid in usual.later and is_open("placement.later", spec.placement.later):
         yield Unknown(cid, "placement.later", usual.later[cid])
+    if cid == "G":
+        yield from _changes(component)
     at_line = usual.speeds.get("E") == 0  # where ego stands at first
     if cid == "R" and usual.distance and not at_line and is_open("distance", getattr(spec, "distance", None)):
         yield Unknown(cid, "distance", usual.distance)
     if cid == "T" and is_open("duration", getattr(spec, "duration", None)) and not getattr(spec, "terminate_when", ()):
         yield Unknown(cid, "duration", usual.duration)
+
+
+def _changes(component: Component) -> Iterator[Unknown]:
+    """When ego's light changes, where S says only that it does: s since the start."""
+    for i, change in enumerate(getattr(component.spec, "light_changes", ())):
+        when, path = change.when, f"light_changes.{i}.when.value"
+        assumed = any(a.field == path for a in component.assumed)
+        if when.kind == "time" and when.subject is None and (when.value is None or assumed):
+            yield Unknown(component.id, path, SECONDS * (i + 1) if when.value is None else middle(when.value))
 
 
 def _nearnesses(cid: ComponentId, i: int, phase: Phase, is_open: Callable[[str, object], bool]) -> Iterator[Unknown]:

@@ -79,7 +79,9 @@ def requirements_met(structure: Structure, results: Sequence[Result], idle: Sequ
         return ""
     lost = count_lost_clauses(structure, idle)
     are = "clauses of the text are" if lost > 1 else "clause of the text is"
-    return f"{met} of {required} requirements met" + (f"; {lost} {are} not fully in S" if lost else "")
+    found = f"{met} of {required} requirements met" + (f"; {lost} {are} not fully in S" if lost else "")
+    apart = ", ".join(c.id for c in structure.components if c.conflict)
+    return found + (f"; code by hand of {apart} is in conflict with S" if apart else "")
 
 
 def covering(text: str, clauses: Sequence[Span] = ()) -> list[Span]:

@@ -112,13 +112,19 @@ def action_of(phase: Phase, structure: Structure) -> str:
     return _phase(Phase(**kept), _object_names(structure), many=False)
 
 
+def phase_words(phase: Phase, structure: Structure) -> str:
+    """What a phase does, and when, as in the component's sentence."""
+    return _phase(phase, _object_names(structure), many=False)
+
+
 def _object_names(structure: Structure) -> dict[str, str]:
     return {c.id: c.spec.name for c in structure.objects if isinstance(c.spec, ObjectSpec)}
 
 
 def _watched(trigger: Trigger, names: dict[str, str]) -> str:
     one = _named(trigger.subject, names) if trigger.subject else "it"
-    return clause(trigger, one, _named(trigger.of, names) if trigger.of else "ego")
+    other = _named(trigger.of, names) if trigger.of else "it" if trigger.subject else "ego"
+    return clause(trigger, one, other)
 
 
 def _manners(phase: Phase, names: dict[str, str]) -> list[str]:
@@ -310,10 +316,10 @@ def with_sentence(before: Structure, after: Structure, cid: str) -> Component:
 
 def with_updated_sentences(before: Structure, after: Structure) -> Structure:
     """S after a change, each sentence that said what the spec did saying what it does now: a sentence of the user's
-    own stays, and so does that of a component whose code is not written from its spec."""
+    own stays."""
     for was in (c for c in before.components if c.id in after):
         component = after[was.id]
-        if component.origin == "rendered" and component.description == was.description == sentence(was, before):
+        if component.description == was.description == sentence(was, before):
             now = sentence(component, after)
             after = after.with_component(component.model_copy(update={"description": now}))
     return after

@@ -36,7 +36,8 @@ class Trigger(Spec):
     subject: Reference | None = Field(None, description="whom it is about; default: whose phase it is")
     of: Reference | None = Field(
         None,
-        description="distance, apart, ttc, passed, seen, contact: to whom (default ego; for ego: the nearest object)",
+        description="distance, apart, ttc, passed, seen, contact: to whom (default ego; for ego: the nearest object; "
+                    "where the subject is another than the actor: the actor)",
     )
     action: v.Action | None = Field(None, description="action: the action of `of` that is waited for")
     place: v.TriggerPlace | None = Field(None, description="place: what is reached")

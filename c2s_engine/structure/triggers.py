@@ -13,6 +13,13 @@ def is_watched(t: Trigger, actor: str | None = None) -> bool:
     return t.kind in _KINDS or t.place in _PLACES or t.subject not in (None, actor)
 
 
+def other_of(t: Trigger, actor: str, first: str) -> str:
+    """To whom a trigger of `actor` watches its subject, where it is one of two: whom it names; else who waits, or, if
+    that is the subject, ego, and for ego the `first` object."""
+    subject = t.subject or actor
+    return t.of or (actor if subject != actor else first if actor == "ego" else "ego")
+
+
 def gives_way_by(ego: EgoSpec) -> bool:
     """Whether ego's own phases say how it gives way to whom it yields: they wait for how far that one has come."""
     watched = [t for p in ego.phases for t in (p.trigger, p.until) if t and t.kind in ("passed", "ttc", "distance")]

@@ -666,7 +666,7 @@ def touch(car, other):
     place = (other.position - car.position).rotatedBy(-car.heading)
     across = abs(math.sin(other.heading - car.heading))
     long, wide = (other.length * (1 - across) + other.width * across, other.width * (1 - across) + other.length * across)
-    return abs(place.y) < (car.length + long) / 2 + 0.2 and abs(place.x) < (car.width + wide) / 2 + 0.2
+    return abs(place.y) < (car.length + long) / 2 and abs(place.x) < (car.width + wide) / 2 + 0.2
 
 behavior Ram(other, speed, rate=5):
     """Drive at where `other` will be when it is reached, at `speed` (m/s), changing it by at most `rate` (m/s2): beside

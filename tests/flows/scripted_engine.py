@@ -286,7 +286,9 @@ class ScriptedEngine:
         await self._wait("contradictions")
         yield Offer(component="O1", field="placement.gap", said="5 m", value="20 m", amount=20.0)
 
-    async def without_effect(self, text: str, structure: Structure) -> tuple[Unmet, ...]:
+    async def without_effect(
+        self, text: str, structure: Structure, before: Structure | None = None
+    ) -> tuple[Unmet, ...]:
         return self.idle
 
     def reach(self, structure: Structure, edit: Any) -> list[str]:

@@ -129,7 +129,7 @@ async def test_a_clause_that_makes_no_difference_is_counted_in_the_line_that_clo
 async def test_words_of_a_turn_before_are_not_named_below_a_newer_one(stage):
     looked = asyncio.Event()
 
-    async def without_effect(text, structure):
+    async def without_effect(text, structure, before=None):
         while not looked.is_set():  # set from another thread's loop
             await asyncio.sleep(0.01)
         return (Unmet(text="red", reason="S would be the same without it", span=(2, 5)),)

@@ -20,7 +20,7 @@ class FakeEngine:
         self.waiting = asyncio.Event()
         self.stopped = 0
 
-    async def without_effect(self, text, structure):
+    async def without_effect(self, text, structure, before=None):
         return ()
 
     async def say(self, structure: Structure, text: str, **options):

@@ -55,7 +55,7 @@ async def test_what_was_found_stays_with_the_session(tmp_path):
             done = structure if text.endswith("?") else Structure(text=text)
             yield Finished(ok=True, structure=done, program=assemble(done))
 
-        async def without_effect(self, text, structure):
+        async def without_effect(self, text, structure, before=None):
             self.looked += 1
             return (idle,)
 

@@ -36,7 +36,7 @@ def cross_road(seen: Seen, other: Seen, situation: Situation) -> int | None:
             continue
         first, last = int(np.argmax(inside)), int(len(inside) - 1 - np.argmax(inside[::-1]))
         if inside[-1]:
-            return last
+            return last if first > 0 else None  # who stood there from the first has crossed nothing
         if first > 0 and _sides(seen, other, first - 1, last + 1):
             return last + 1
     return None

@@ -51,12 +51,13 @@ def accounted(structure: Structure, settings: Settings, left_out: Sequence[str] 
     """S with its links, its background and what of its text was not understood; `left_out`: phrases of the text that
     the model said to be in no component."""
     text, plain = structure.text, normalised(structure.text)
-    terms = {c.id: dict(_terms(c, structure)) for c in structure.components}
+    terms = {c.id: said_words(c, structure) for c in structure.components}
     nouns, numbers = mentions(text), _numbers(structure)
     links: dict[str, list[Link]] = defaultdict(list)
     for cid, field, found in settings.found():
         links[cid].append(_link(text, found.span, field))
-    missed = [*_phrases(text, left_out), *_values(structure, numbers), *_absent(structure, nouns)]
+    said = frozenset(word for own in terms.values() for word, field in own.items() if field)
+    missed = [*_phrases(text, left_out, said), *_values(structure, numbers), *_absent(structure, nouns)]
     background: list[Unmet] = []
     last = "R"
     for clause in covering(text):
@@ -113,28 +114,35 @@ def _of_clause(
     return own, about
 
 
+def said_words(component: Component, structure: Structure) -> dict[str, str]:
+    """The stems by which a component is spoken of, each with the field that says it; "": its sentence does."""
+    return dict(_terms(component, structure))
+
+
 def _terms(component: Component, structure: Structure) -> Iterator[tuple[str, str]]:
-    """The stems by which a component is spoken of, each with the field that says it: later ones count."""
+    """The same one by one: later ones count."""
     egos = frozenset(language.table("trade")["ego"])
     for found in stems(sentence(component, structure)) - _small_stems() - egos:
         yield found, ""
     if component.id == "E":
         yield from ((word, "") for word in egos)
-    for path, value in _values_of(component.spec.model_dump(exclude_defaults=True, exclude={"component", "name"})):
+    for path, value in values_of(component.spec.model_dump(exclude_defaults=True, exclude={"component", "name"})):
         if value is True:
             yield stem(path.split(".")[-1]), _whole(path)
         if isinstance(value, str) and not re.fullmatch(r"O\d+|ego", value):
             field = _whole(path)
             yield from ((word, field) for word in stems(f"{value} {value.removesuffix('most')}") - _small_stems())
+            yield from ((stem(word), field) for word in language.table("trade")["values"].get(value, ()))
             if path.endswith((".action", "reaction")):
                 yield from ((word, field) for word in _verbs().get(value, ()))
 
 
-def _values_of(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
+def values_of(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
+    """(path, value) of the single values in plain data."""
     if isinstance(value, dict | list | tuple):
         items = value.items() if isinstance(value, dict) else enumerate(value)
         for name, inner in items:
-            yield from _values_of(inner, f"{path}.{name}".lstrip("."))
+            yield from values_of(inner, f"{path}.{name}".lstrip("."))
     else:
         yield path, value
 
@@ -142,7 +150,7 @@ def _values_of(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
 def _numbers(structure: Structure) -> list[Number]:
     """The numbers that components hold: whose, by which path."""
     return [(c.id, path, float(held)) for c in structure.components
-            for path, held in _values_of(c.spec.model_dump(exclude_defaults=True))
+            for path, held in values_of(c.spec.model_dump(exclude_defaults=True))
             if isinstance(held, int | float) and not isinstance(held, bool)]  # fmt: skip
 
 
@@ -175,10 +183,12 @@ def _absent(structure: Structure, nouns: Sequence[Mention]) -> Iterator[Unmet]:
             yield Unmet(text=words, reason=NO_OBJECT, span=(noun.start, noun.end))
 
 
-def _phrases(text: str, left_out: Sequence[str]) -> Iterator[Unmet]:
+def _phrases(text: str, left_out: Sequence[str], said: frozenset[str]) -> Iterator[Unmet]:
+    """What was said to be left out, but for phrases of which fields have every word (`said`)."""
     for phrase in left_out:
         found = re.search(r"\s+".join(map(re.escape, phrase.split())), text, re.IGNORECASE)
-        if found:
+        own = {stem(word) for word in _WORD.findall(phrase.lower())} - _small_stems()
+        if found and not (own and own <= said):
             yield Unmet(text=found[0], reason=UNSAID, span=found.span())
 
 

@@ -9,6 +9,7 @@ from c2s_engine.structure import quantity
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.edits import AddObject, Edit, MoveObject, RemoveObject, SetField, SetSpec, apply
 from c2s_engine.structure.quantity import ends
+from c2s_engine.structure.sentences import phase_words
 from c2s_engine.structure.specs import AnySpec, EgoSpec, ObjectSpec, Phase, SettingsSpec, Trigger
 
 TOWARDS = ("follow", "overtake", "collide", "yield")
@@ -107,14 +108,16 @@ def worded(edits: list[Edit], structure: Structure) -> str:
             said.append(f"{edit.component} added")
         elif isinstance(edit, SetField):
             who = PARTS.get(edit.component) or _name(structure[edit.component])
-            said.append(f"{who}: {_value(str(edit.path), edit.value)}")
+            phases = edit.value if edit.path == "phases" else ()
+            words = ", then ".join(phase_words(p, structure) for p in phases)
+            said.append(f"{who}: {words or _value(str(edit.path), edit.value)}")
     return "; ".join(said)
 
 
 def _value(path: str, value: Any) -> str:
     field = path.split(".")[-1].replace("_", " ")
     if field == "phases":
-        return ", then ".join(p.action.replace("_", " ") for p in value) or "keeps on"
+        return "keeps on"
     if field == "speed" and isinstance(value, float | int):
         return f"{value * 3.6:.0f} km/h"
     if value is None:

@@ -11,7 +11,7 @@ from c2s_engine.write.typed.layout import clashes, draws
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.planning import make_plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE
-from c2s_engine.write.typed.usual import uses_crosswalk
+from c2s_engine.write.typed.usual import has_marking, uses_crosswalk
 
 OFTEN = 0.5
 """The share of drawings in which two may overlap: the sampler finds one of the others soon."""
@@ -76,7 +76,7 @@ def _movable(structure: Structure, pair: tuple[str, str]) -> Iterator[str]:
 
 def _now(cid: str, spec: ObjectSpec, plan: Plan) -> float:
     """The gap at which it starts as things are, m."""
-    if plan.place.kind == "crosswalk" and uses_crosswalk(spec):
+    if has_marking(plan.place) and uses_crosswalk(spec):
         return middle(plan.distance or 0.0)
     if spec.placement.position in APPROACH_ANGLE:
         return middle(stations.to_junction(cid, spec, plan))

@@ -1,7 +1,5 @@
 """Phases to a Scenic behaviour: each becomes one `do`, ended by the next phase's trigger or its own completion."""
 
-import re
-
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.sentences import action_of
 from c2s_engine.structure.specs import ObjectSpec, Phase, SettingsSpec, Trigger
@@ -10,7 +8,7 @@ from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.lanes import leaves_behind
 from c2s_engine.write.typed.lateral import LATERAL
 from c2s_engine.write.typed.overtakings import nearest
-from c2s_engine.write.typed.steps import AT_LINE, IN_JUNCTION, Step, steps
+from c2s_engine.write.typed.steps import AT_LINE, IN_JUNCTION, Reached, Step, steps
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, AT_REST, TURN
 from c2s_engine.write.typed.towards import SETS_OFF, its_turn
 from c2s_engine.write.typed.triggers import FORCED, drives_ahead, implicit, stated
@@ -28,8 +26,8 @@ SLOW = "5"
 """m/s at which somebody comes up to where it first stands."""
 AT_SIGN = {"run_stop", "stop", "yield", "wait", "stationary"}
 """What says itself what ego does at its stop sign."""
-NEAR_SPEED = 0.5
-"""m/s within which a speed is reached, as `SlowTo` and `SpeedUpTo` have it."""
+LOST = 2.5
+"""m/s that one loses whose braking is to be seen, where nothing says to what speed."""
 COMMENTED = 84
 """Characters of a statement with its comment, in a line of 100."""
 QUEUED = 3.0
@@ -52,22 +50,14 @@ def body(actor: Actor) -> list[str]:
         out += [s for s in before if s != line]
         line = next((s for s in reversed(before) if s.startswith("line = ")), line)
         last = i == len(done) - 1
-        if not last and (reaches := _reaches(final, until)):
-            final, until = reaches, ""
+        if not last and isinstance(until, Reached) and final.startswith("do Drive(") and "lambda" not in final:
+            final = until.library(final)
         elif not last and (final.startswith(("do Drive(", "do Stop(")) or until):
             first = ahead.awaited(actor.structure, actor.cid) if i == 0 else 0.0
             final += f" {until or f'for {scope.number(first or 3)} seconds'}"
         comment = begun.get(i) if len(done) > 1 else ""
         out.append(f"{final}  # {comment}" if comment and len(final) + len(comment) < COMMENTED else final)
     return out
-
-
-def _reaches(drive: str, until: str) -> str:
-    """The library's behaviour for driving until a speed is reached, to within `NEAR_SPEED`; "": it is not that."""
-    found = re.fullmatch(r"do Drive\(line, ([\d.]+)(.*)\) until self\.speed ([<>]) ([\d.]+)", f"{drive} {until}")
-    if found is None or abs(abs(float(found[4]) - float(found[1])) - NEAR_SPEED) > 0.006:
-        return ""
-    return f"do {'SlowTo' if found[3] == '<' else 'SpeedUpTo'}(line, {found[1]}{found[2]})"
 
 
 def _up_to_contact(phases: list[Phase], speed: float) -> list[Phase]:
@@ -87,8 +77,9 @@ def _steps(course: Course) -> tuple[list[Step], dict[int, str]]:
     phases = phases_of(course.actor)
     done: list[Step] = []
     begun: dict[int, str] = {}
-    since = 0  # the first step of the phase before
-    course.behind = _overtaken_later(course, phases)
+    since, was = 0, course.value  # the first step of the phase before, and how fast it was then
+    nears = phases[0].trigger is not None and phases[0].trigger.kind in ("ttc", "distance") if phases else False
+    course.behind = "" if nears else _overtaken_later(course, phases)
     if not phases or phases[0].trigger is not None or implicit(course, phases[0]):
         done.append(([course.drive(SLOW if course.actor.sets_out else _behind_awaited(course, phases))], ""))
     for i, phase in enumerate(phases):
@@ -104,7 +95,9 @@ def _steps(course: Course) -> tuple[list[Step], dict[int, str]]:
             reached = done[-1][1] if phase.trigger and phase.trigger.kind == "action" and not merges else ""
             finishes = reached.startswith("until self.speed") and phase.action not in FORCED
             if finishes:  # it finishes what it does: what others do can still be seen
-                condition = f"{reached} and {condition.removeprefix('until ')}"
+                slowed = phases[i - 1].action == "brake" and phases[i - 1].speed is None and was > LOST
+                least = f"until self.speed < {scope.number(was - LOST)}" if slowed else reached
+                condition = f"{least} and {condition.removeprefix('until ')}"
             stands = i > 0 and phases[i - 1].action == "stop" and done[-1][1] == "for 1 seconds"
             if stands and phase.trigger and phase.trigger.kind == "passed":  # even if that one has gone by before
                 done.append(done[-1])
@@ -117,6 +110,7 @@ def _steps(course: Course) -> tuple[list[Step], dict[int, str]]:
                 done.append((done[-1][0][-1:], "until self._lane is place.acceleration_lane"))
         course.behind = _overtaken_later(course, phases[i:])
         home, course.home = course.home, []
+        was = course.value
         own, since = steps(course, phase), len(done)
         if own:
             begun[len(done)] = action_of(phase, course.actor.structure)
@@ -184,7 +178,8 @@ def _held_at_line(phases: list[Phase]) -> list[Phase]:
     """The phases with letting another pass, before the junction, instead of a turn that waits for its passing."""
     found: list[Phase] = []
     for phase in phases:
-        t, stood = phase.trigger, any(p.action in AT_REST or p.action == "yield" for p in found)
+        t, last = phase.trigger, found[-1:] if found and found[-1].action == "start" else found  # it has gone on
+        stood = any(p.action in AT_REST or p.action == "yield" for p in last)
         waits = t is not None and t.kind == "passed" and t.subject not in (None, "ego") and t.delay is None
         if phase.action in TURN and waits and t is not None and not stood:
             found += [Phase(action="yield", target=t.subject), phase.model_copy(update={"trigger": None})]

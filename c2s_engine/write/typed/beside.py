@@ -8,11 +8,21 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed import scope, stations
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.spot import Spot, measured, member, position_constant
-from c2s_engine.write.typed.tables import LENGTH, RAMP, WIDTH, is_vehicle, is_walker
-from c2s_engine.write.typed.usual import at_corner, right_behind, uses_crosswalk, walks_first
+from c2s_engine.write.typed.tables import (
+    AT_REST,
+    LENGTH,
+    MOVES_OFF_ROAD,
+    NEXT_LANES,
+    RAMP,
+    WIDTH,
+    is_static,
+    is_vehicle,
+    is_walker,
+)
+from c2s_engine.write.typed.usual import at_corner, right_behind, row_step, uses_crosswalk, walks_first
 
-IN_FILE = 0.8
-"""m from one to the next of those who cross by a crosswalk one after the other."""
+SHORT_OF_CROSSWALK = 4.0
+"""m from the middle of a crosswalk to what stands in a lane before it."""
 
 
 def behind_junction(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Spot:
@@ -28,7 +38,9 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
     """At the kerb, on the verge or on the sidewalk along ego's lane."""
     sign, of = stations.along(spec), spec.placement.of
     at = position_constant(structure, cid)
-    if (uses_crosswalk(spec) or right_behind(spec)) and (marked := crosswalk(plan)):
+    if hides := before_crosswalk(structure, cid, plan):
+        lines = [hides]
+    elif (uses_crosswalk(spec) or right_behind(spec)) and (marked := crosswalk(plan)):
         beside = stations.next_to(structure, cid)
         off = f" {'+' if beside > 0 else '-'} {scope.number(abs(beside))}" if beside else ""
         lines = [f"{at} = {marked}{off}"]
@@ -56,13 +68,34 @@ def beside_road(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) ->
         back = WIDTH[spec.type] / 2 - stations.INTO_LANE - stations.outwards(spec)
         if spec.placement.side == "left" and spec.placement.facing is None:  # as those go who come by there
             spec = spec.model_copy(update={"placement": spec.placement.model_copy(update={"facing": "against"})})
-    spot = _edge(spec, lines, along, "place.lane", plan, back, IN_FILE if in_file else 0.0)
+    spot = _edge(spec, lines, along, "place.lane", plan, back, stations.IN_FILE if in_file else 0.0)
     if spec.placement.lateral is None or of != "ego":
         return spot
     left, room = spec.placement.side == "left", stations.from_lane(structure, spec)
     sideways = scope.number(-room if left else room)
     where = f"at beside(place.lane.centerline, place.lane, {along}, {sideways})"
     return replace(spot, specifiers=(where, *spot.specifiers[1:]))
+
+
+def before_crosswalk(structure: Structure, cid: str, plan: Plan) -> str:
+    """Where along the lane something stands, nobody says where, that hides somebody who crosses by a crosswalk: just
+    before that; "": it is no such thing."""
+    spec, who, marked = structure[cid].spec, stations.hides(structure, cid), crosswalk(plan)
+    if not isinstance(spec, ObjectSpec) or who is None or not marked or not _rests(spec):
+        return ""
+    at, off_road = spec.placement, spec.placement.position in MOVES_OFF_ROAD and is_walker(who)
+    there = at.of == "ego" and at.along != "abreast" and at.gap is None and at.facing != "across"
+    if not there or not off_road and at.position not in NEXT_LANES:
+        return ""
+    short = stations.RIGHT_BEHIND + LENGTH[who.type] / 2 if off_road else SHORT_OF_CROSSWALK
+    back = short + LENGTH[spec.type] / 2 + (spec.count - 1) * row_step(spec)
+    return f"{position_constant(structure, cid)} = {marked} - {scope.number(round(back, 2))}  # m along the lane"
+
+
+def _rests(spec: ObjectSpec) -> bool:
+    """Whether it stands at first."""
+    stands = bool(spec.phases) and spec.phases[0].action in (*AT_REST, "yield")
+    return is_static(spec) or spec.speed == 0 or stands
 
 
 def crosswalk(plan: Plan) -> str:

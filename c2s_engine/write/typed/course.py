@@ -148,9 +148,10 @@ class Course:
             keeps += ", points=line"  # while it is there
         return f"lambda: following_speed(self, {self.actor.ref(cid)}, {speed}{keeps})"
 
-    def set(self, value: float) -> str:
-        """Drive at another speed (m/s) from now on; the cruising constant stays where it is the same."""
-        self.speed = self.actor.speed if abs(value - self.actor.value) < 0.05 else scope.number(value)
+    def set(self, value: float, words: str = "") -> str:
+        """Drive at another speed (m/s; `words`: as an expression) from now on; the cruising constant stays where it is
+        the same."""
+        self.speed = self.actor.speed if abs(value - self.actor.value) < 0.05 else words or scope.number(value)
         return self.cruise()
 
     def wanted(self, phase: Phase, default: float) -> float:

@@ -4,13 +4,12 @@ from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec
 from c2s_engine.write.typed import scope, stations
-from c2s_engine.write.typed.beside import beside_road, crosswalk
+from c2s_engine.write.typed.beside import beside_road
 from c2s_engine.write.typed.course import EDGE, HALF_LANE
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.spot import Spot, member, position_constant
+from c2s_engine.write.typed.spot import Spot, member
 from c2s_engine.write.typed.stations import RIGHT_BEHIND
 from c2s_engine.write.typed.tables import (
-    AT_REST,
     LANE_WIDTH,
     LENGTH,
     MOVES_OFF_ROAD,
@@ -18,25 +17,22 @@ from c2s_engine.write.typed.tables import (
     WIDTH,
     is_static,
     is_vehicle,
+    is_walker,
 )
 from c2s_engine.write.typed.usual import (
     CLOSEST,
     NOSE_TO_TAIL,
     crosses,
+    has_marking,
     pace_of,
     reach,
-    right_behind,
     row_length,
-    row_step,
     speed_of,
     while_crossing,
 )
 
 OUT = 0.15
 """m beside a lane of one who is just out of it."""
-SHORT_OF_CROSSWALK = 4.0
-"""m from the middle of a crosswalk to what stands before it."""
-STANDS = {*AT_REST, "yield"}
 FACES_EGO = {"oncoming_lane", "opposite_approach"}
 
 
@@ -106,13 +102,13 @@ def aside(structure: Structure, cid: str, plan: Plan) -> float:
         return EDGE if spec.placement.side == "left" else -EDGE
     if spec.placement.position != "ahead":
         return 0.0
-    who = _hides(structure, cid)
+    who = stations.hides(structure, cid)
     return to_kerb(structure, cid) if who is not None and who.placement.side == "left" else -to_kerb(structure, cid)
 
 
 def to_kerb(structure: Structure, cid: str) -> float:
     """How far (m) from the middle of its lane, towards whom it hides at the kerb, something stands."""
-    spec, who = _spec(structure, cid), _hides(structure, cid)
+    spec, who = _spec(structure, cid), stations.hides(structure, cid)
     there = ("ahead",) if who is None or who.placement.side != "left" else ("ahead", "oncoming_lane")
     if who is None or not is_static(spec) or spec.placement.position not in there:
         return 0.0
@@ -127,36 +123,13 @@ def _out_of_lane(structure: Structure, cid: str, plan: Plan) -> float:
     return round(HALF_LANE + OUT - abs(aside(structure, cid, plan) or to_kerb(structure, cid)), 2)
 
 
-def _hides(structure: Structure, cid: str) -> ObjectSpec | None:
-    """Who stands by an object that hides him, and crosses ego's road from there."""
-    specs = [c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)]
-    return next((s for s in specs if right_behind(s) and s.placement.hidden_by == cid and crosses(s)), None)
-
-
-def before_crosswalk(structure: Structure, cid: str, plan: Plan) -> str:
-    """Where along the lane something stands, nobody says where, that hides somebody who crosses by a crosswalk: just
-    before that; "": it is no such thing."""
-    spec, who = _spec(structure, cid), _hides(structure, cid)
-    marked = crosswalk(plan)
-    along = spec.placement.of == "ego" and spec.placement.along != "abreast" and spec.placement.gap is None
-    if who is None or not marked or not along or spec.placement.position not in NEXT_LANES or not _rests(spec):
-        return ""
-    back = SHORT_OF_CROSSWALK + LENGTH[spec.type] / 2 + (spec.count - 1) * row_step(spec)
-    return f"{position_constant(structure, cid)} = {marked} - {scope.number(round(back, 2))}  # m along the lane"
-
-
-def _rests(spec: ObjectSpec) -> bool:
-    """Whether it stands at first."""
-    return is_static(spec) or spec.speed == 0 or spec.phases[:1] != () and spec.phases[0].action in STANDS
-
-
 def standing(structure: Structure) -> Structure:
     """S with those standing from the first who come out from beside the road or hide somebody: these so far off that
     ego is there no sooner than whom they hide."""
     place, ego = structure.place.spec, structure.ego.spec
     assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
     for component in structure.objects:
-        spec, who = component.spec, _hides(structure, component.id)
+        spec, who = component.spec, stations.hides(structure, component.id)
         if isinstance(spec, ObjectSpec) and (rests := _from_rest(spec)) is not spec:
             structure = structure.with_spec(component.id, rests)
             spec = rests
@@ -178,6 +151,8 @@ def standing(structure: Structure) -> Structure:
         first, beyond = _row_of(structure, component.id)
         if stations.between(structure, who):
             beyond += stations.past_last(structure, who) - LENGTH[spec.type] / 2
+        if has_marking(place) and is_walker(who):  # it stands before the crosswalk
+            continue
         if spec.placement.position in MOVES_OFF_ROAD and first.spec.placement.gap is None:  # type: ignore[union-attr]
             gap = max(float(round(least - beyond)), NOSE_TO_TAIL)
             placed = first.spec.placement.model_copy(update={"gap": gap})  # type: ignore[union-attr]

@@ -18,7 +18,7 @@ from c2s_engine.write.typed.lanes import pulls_out
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, WIDTH, WORKS
-from c2s_engine.write.typed.usual import at_corner, right_behind, row_step, turn_of, uses_crosswalk
+from c2s_engine.write.typed.usual import at_corner, has_marking, right_behind, row_step, turn_of, uses_crosswalk
 
 DRAWS = 12
 _GOLDEN = 0.618
@@ -145,6 +145,8 @@ def _beside(
 ) -> _Start:
     left, of = spec.placement.side == "left", spec.placement.of
     edge = LANE_WIDTH / 2 + stations.outwards(spec) + stations.set_back(structure, cid, plan)
+    if stations.parked_in_way(structure, cid):
+        edge = (LANE_WIDTH + WIDTH[spec.type]) / 2 - stations.INTO_LANE
     if spec.placement.lateral is not None and of == "ego":
         edge = stations.from_lane(structure, spec)
         return _Start("road", base + offset, edge if left else -edge, base + offset)
@@ -152,7 +154,7 @@ def _beside(
     if left:
         y = LANE_WIDTH * (max(plan.offsets) + stations.two_way(plan)) + edge
     at = base + offset
-    if plan.place.kind == "crosswalk" and uses_crosswalk(spec):
+    if has_marking(plan.place) and uses_crosswalk(spec):
         at = draw("ego", plan.distance or 0.0) + stations.next_to(structure, cid)
     elif at_corner(spec, plan.place):
         at = draw("ego", plan.distance or 0.0) - stations.CORNER - LENGTH[spec.type] / 2
@@ -209,9 +211,11 @@ def _row(spec: ObjectSpec, start: _Start, plan: Plan) -> Iterator[Box]:
     if spec.placement.facing == "across":
         length, width = width, length
     end = plan.distance if plan.place.kind == "on_ramp" and start.track == "road" and start.y > LANE_WIDTH / 2 else None
+    in_file = has_marking(plan.place) and uses_crosswalk(spec)  # one behind the other before the crosswalk
     for i in range(spec.count):
-        s = start.s + start.onward * row_step(spec) * i
-        yield Box(start.track, s if end is None else min(s, high(end) - 1), start.y, length, width)
+        s = start.s if in_file else start.s + start.onward * row_step(spec) * i
+        y = start.y + (stations.IN_FILE * i if start.y > 0 else -stations.IN_FILE * i) * in_file
+        yield Box(start.track, s if end is None else min(s, high(end) - 1), y, length, width)
 
 
 def _works(spec: ObjectSpec, start: _Start) -> Iterator[Box]:

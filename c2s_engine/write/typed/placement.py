@@ -5,8 +5,8 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed import ahead, meetings, pockets, scope, stations
 from c2s_engine.write.typed.alongside import offset
-from c2s_engine.write.typed.beside import behind_junction, beside_road, by_door
-from c2s_engine.write.typed.hiding import aside, before_crosswalk, hidden, to_kerb
+from c2s_engine.write.typed.beside import before_crosswalk, behind_junction, beside_road, by_door
+from c2s_engine.write.typed.hiding import aside, hidden, to_kerb
 from c2s_engine.write.typed.place import approach_name
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.pockets import pocket_name

@@ -15,7 +15,7 @@ from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.pockets import pocketed
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, JUNCTION, RAMP, TURN
 from c2s_engine.write.typed.threats import hits_ego, is_hit
-from c2s_engine.write.typed.usual import lets_ego_come, speed_of, turn_of, uses_crosswalk
+from c2s_engine.write.typed.usual import has_marking, lets_ego_come, speed_of, turn_of, uses_crosswalk
 
 BEFORE_CHANGE = 3.0
 """s that ego drives before the light changes."""
@@ -66,11 +66,7 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     passed = pocketed(objects, place)
     ways = {cid: (o.placement.position, turn_of(o.phases)) for cid, o in crossing.items()}
     speed, top = middle(speed_of(ego, place)), high(speed_of(ego, place))
-    through = place.kind == "roundabout" and any(p.action in TURN for p in lanes.all_phases(ego, objects))
-    far = through or rooms.to_merge_end(ego, objects)
-    latest = max((high(t.value) for p in lanes.all_phases(ego, objects) if (t := p.trigger) and t.kind == "time"
-                  and t.value is not None and high(t.value) <= LATEST), default=0.0)  # fmt: skip
-    duration = getattr(restrictions, "duration", None) or max(LONG if far else USUAL, latest + TO_SEE)
+    duration = getattr(restrictions, "duration", None) or usual_duration(place, ego, objects)
     kind = place.model_copy(update={"kind": "on_ramp"}) if ramp else place
     met = frozenset(cid for cid, o in crossing.items() if hits_ego(o) or is_hit(ego, cid))
     set_out = frozenset(c for c, o in crossing.items() if _sets_out(o) and (c in met or _forces(ego, c, o)))
@@ -105,6 +101,15 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     return _with_room(structure, plan)
 
 
+def usual_duration(place: PlaceSpec, ego: EgoSpec, objects: dict[str, ObjectSpec]) -> float:
+    """How long (s) a run is of which S says no length."""
+    phases = lanes.all_phases(ego, objects)
+    far = place.kind == "roundabout" and any(p.action in TURN for p in phases) or rooms.to_merge_end(ego, objects)
+    times = (p.trigger for p in phases if p.trigger is not None and p.trigger.kind == "time")
+    latest = max((high(t.value) for t in times if t.value is not None and high(t.value) <= LATEST), default=0.0)
+    return max(LONG if far else USUAL, latest + TO_SEE)
+
+
 def _seen_to_change(way: Quantity | None, place: PlaceSpec, changes: tuple[LightChange, ...],
                     ahead: float) -> Quantity | None:  # fmt: skip
     """The way to the junction (m), where S leaves it open, with `BEFORE_CHANGE` s of `ahead` m each before ego is
@@ -117,7 +122,7 @@ def _seen_to_change(way: Quantity | None, place: PlaceSpec, changes: tuple[Light
 
 def _with_room(structure: Structure, plan: Plan) -> Plan:
     """The plan with as much of each lane as the objects take that start on it, one behind the other."""
-    specs = {c.id: c.spec for c in structure.objects if plan.place.kind == "crosswalk"}
+    specs = {c.id: c.spec for c in structure.objects if has_marking(plan.place)}
     there = {cid for cid, spec in specs.items() if isinstance(spec, ObjectSpec) and uses_crosswalk(spec)}
     drawn = layout.draws(structure, plan)
     taken = layout.extents([{cid: boxes for cid, boxes in draw.items() if cid not in there} for draw in drawn])

@@ -56,18 +56,26 @@ def reaction(actor: Actor, statements: list[str]) -> list[str]:
     assert isinstance(spec, EgoSpec)
     follows = spec.reaction == "follow" and spec.react_to is None  # as it drives
     reacts = spec.reaction != "none" and not follows
-    return _guarded(actor, statements) if reacts and found is statements else found
+    if reacts and found is statements:
+        return _guarded(actor, statements)
+    named = spec.react_to is not None and spec.react_to in actor.structure
+    return _guarded(actor, found, True) if reacts and named and "try:" in found else found
 
 
-def _guarded(actor: Actor, statements: list[str]) -> list[str]:
-    """Ego's way with braking at the last moment for whom it neither hits nor gets past."""
+def _guarded(actor: Actor, statements: list[str], reacts: bool = False) -> list[str]:
+    """Ego's way with braking at the last moment for whom it neither hits nor gets past; of one that `reacts` as it is,
+    for the others."""
     spec, s = actor.spec, actor.structure
     assert isinstance(spec, EgoSpec)
     gone_round = {_about(p) or spec.react_to for p in spec.phases if p.action in (*ASIDE, "overtake", "oncoming")}
     apart = {*gone_round, *([spec.react_to] if spec.reaction == "follow" else [])}
     apart |= {p.target for p in spec.phases if p.clearance is not None and p.trigger is None}  # with room of its own
     cids = [c for c in threatening(s) if c not in apart and not is_hit(spec, c) and not _stays_behind(s, c)]
-    seen = once_seen(s, [c for c in cids if c not in _strikers(s, cids)])
+    heeded = " ".join(line for line in statements if line.startswith("interrupt"))
+    cids = [c for c in cids if c not in _strikers(s, cids) and scope.reference(s, c).split("[")[0] not in heeded]
+    seen = once_seen(s, cids)
+    if reacts:
+        return [*statements, *_around([], seen, LAST, _brakes(seen, HARD))[1:]]
     return _around(statements, seen, LAST, _brakes(seen, HARD)) if seen else statements
 
 
@@ -326,7 +334,7 @@ def _gets_past(actor: Actor, cid: str) -> bool:
         return True
     if cid != "ego" and passed_over(actor.structure, cid, actor.cid):
         return True
-    if any(p.action in ("overtake", "swerve") and (p.target or "ego") == cid for p in actor.spec.phases):
+    if any(p.action in ("overtake", "swerve", "cut_in") and (p.target or "ego") == cid for p in actor.spec.phases):
         return True
     near = (p.trigger for p in actor.spec.phases if p.trigger and p.action in ("lane_change", "cut_in", "swerve"))
     if any(t.kind in ("distance", "ttc") and (t.of or "ego") == cid for t in near):

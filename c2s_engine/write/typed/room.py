@@ -9,7 +9,7 @@ from c2s_engine.write.typed.ahead import FOLLOWED
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.lanes import all_phases
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, JUNCTION, LENGTH, RAMP, TURN, is_static, is_vehicle
-from c2s_engine.write.typed.usual import at_corner, default_gap, row_length, speed_of
+from c2s_engine.write.typed.usual import at_corner, default_gap, has_marking, row_length, speed_of, uses_crosswalk
 
 MERGES_SOON = 40.0
 """m before a ramp's end from which ego drives along the whole acceleration lane."""
@@ -197,7 +197,8 @@ def _junction_side(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
     placement = o.placement
     ways = {"ahead", "left_lane", "right_lane", "oncoming_lane", *_BESIDE}
     behind = placement.along == "behind" and placement.position != "oncoming_lane"
-    if placement.position not in ways or behind or at_corner(o, place):
+    marked = has_marking(place) and uses_crosswalk(o)
+    if placement.position not in ways or behind or marked or at_corner(o, place):
         return 0
     if placement.along == "abreast" or placement.position == "beside":
         return row_length(o) / 2

@@ -90,7 +90,7 @@ def _chained(phases: tuple[Phase, ...], speed: float) -> tuple[Phase, ...]:
     found = list(phases)
     for i in reversed(range(len(found) - 1)):
         phase, goal = found[i], found[i + 1].speed
-        if phase.speed is not None or goal is None:
+        if phase.speed is not None or goal is None or found[i + 1].trigger is not None:
             continue
         then, after = found[i + 1].action, middle(goal)
         changes: dict[str, float] = {}

@@ -20,6 +20,7 @@ from c2s_engine.write.typed.usual import (
     at_corner,
     crosses,
     default_gap,
+    has_marking,
     right_behind,
     row_length,
     speed_of,
@@ -117,7 +118,7 @@ def _rows(structure: Structure) -> Structure:
         if _steps_out_at(structure, spec):
             structure = structure.with_spec(component.id, placement=spec.placement.model_copy(update={"gap": AT_IT}))
             continue
-        by_marking = place.kind == "crosswalk" and uses_crosswalk(spec)  # type: ignore[union-attr]
+        by_marking = has_marking(place) and uses_crosswalk(spec)  # type: ignore[arg-type]
         if spec.placement.position in APPROACH_ANGLE or by_marking or at_corner(spec, place):  # type: ignore[arg-type]
             continue
         start = default_gap(_followed(structure, spec), speed, place)  # type: ignore[arg-type]

@@ -76,6 +76,8 @@ CLEAR = 0.4
 """m between a vehicle that pulls out from the kerb and what stands beside it there."""
 RIGHT_BEHIND = 0.4
 """m from what hides somebody to who stands by it."""
+IN_FILE = 0.8
+"""m from one to the next of those who cross by a crosswalk one after the other."""
 
 
 def along(spec: ObjectSpec) -> int:
@@ -133,6 +135,12 @@ def hides_beside(structure: Structure, spec: ObjectSpec) -> ObjectSpec | None:
         return None
     same = (by.placement.side == "left") == (spec.placement.side == "left")
     return by if same and by.placement.position in MOVES_OFF_ROAD else None
+
+
+def hides(structure: Structure, cid: str) -> ObjectSpec | None:
+    """Who stands by an object that hides him, and crosses ego's road from there."""
+    specs = [c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)]
+    return next((s for s in specs if right_behind(s) and s.placement.hidden_by == cid and crosses(s)), None)
 
 
 def _pulls_out(spec: ObjectSpec) -> bool:

@@ -25,6 +25,18 @@ from c2s_engine.write.typed.threats import every, is_hit
 from c2s_engine.write.typed.towards import IN_MIDDLE, ROOM, SHORT, ending, held_for, stops_in_way, yields
 from c2s_engine.write.typed.usual import SETS_OUT, crosses, reach
 
+NEAR_SPEED = 0.5
+"""m/s within which a speed is reached, as `SlowTo` and `SpeedUpTo` have it."""
+
+
+class Reached(str):
+    """An end of a step: until its own speed is that at which it drives, within `NEAR_SPEED`."""
+
+    def library(self, drive: str) -> str:
+        """The driving library's behaviour for such a step."""
+        return drive.replace("do Drive(", f"do {'SlowTo' if '<' in self else 'SpeedUpTo'}(", 1)
+
+
 AT_LINE = Trigger(kind="place", place="intersection", value=0)
 """When somebody stops at the stop line of its approach."""
 BROKEN_OFF = 1.7
@@ -108,11 +120,12 @@ def _stationary(c: Course, p: Phase) -> list[Step]:
 
 
 def _accelerate(c: Course, p: Phase) -> list[Step]:
-    goal = c.wanted(p, max(c.value * 1.4, c.value + 5))
-    c.set(goal)
+    goal, own = c.wanted(p, max(c.value * 1.4, c.value + 5)), c.speed
+    more = f"{own} + {scope.number(goal - c.value)}"
+    c.set(goal, more if p.speed is None and c.value > 0 and own == c.actor.speed else "")
     c.value = goal
     drive = c.drive(rate=middle(p.rate) if p.rate else 2.5)
-    return [([drive], ending(p, f"until self.speed > {scope.number(goal - 0.5)}"))]
+    return [([drive], ending(p, Reached(f"until self.speed > {scope.number(goal - NEAR_SPEED)}")))]
 
 
 def _hard(c: Course) -> bool:
@@ -126,11 +139,11 @@ def _brake(c: Course, p: Phase) -> list[Step]:
     full = (
         rate >= FULL and not c.actor.is_ego and p is c.actor.spec.phases[-1]
     )  # who slams the brakes on comes to a stand
-    goal = c.wanted(p, 0.0 if full else c.value / 2)
-    c.set(goal)
+    goal, own = c.wanted(p, 0.0 if full else c.value / 2), c.speed
+    c.set(goal, f"{own} / 2" if p.speed is None and goal > 0 and own == c.actor.speed else "")
     c.value = goal or c.value
-    drive = c.drive(scope.number(goal), rate)
-    return [([drive], ending(p, f"until self.speed < {scope.number(goal + 0.5)}"))]
+    drive = c.drive(c.speed if goal else "0", rate)
+    return [([drive], ending(p, Reached(f"until self.speed < {scope.number(goal + NEAR_SPEED)}")))]
 
 
 def _stop(c: Course, p: Phase) -> list[Step]:
@@ -181,8 +194,9 @@ def _start(c: Course, p: Phase) -> list[Step]:
     if c.actor.is_ego and p in phases and any(q.action == "yield" for q in phases[phases.index(p) + 1 :][:1]):
         return []  # it sets out up to where it lets that one pass
     drive, then = c.drive(scope.number(goal) if not c.actor.value else None, 2), _then(c, p)
-    moves = SET_OUT if then is not None and then.action in lateral.LATERAL else goal - 0.5
-    return [([drive], ending(p, f"until self.speed > {scope.number(min(goal - 0.5, moves))}"))]
+    at, moves = goal - NEAR_SPEED, SET_OUT if then is not None and then.action in lateral.LATERAL else goal
+    until = f"until self.speed > {scope.number(min(at, moves))}"
+    return [([drive], ending(p, Reached(until) if at <= moves else until))]
 
 
 def _follow(c: Course, p: Phase) -> list[Step]:

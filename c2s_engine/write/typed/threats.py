@@ -198,7 +198,8 @@ def _drives_first(spec: AnySpec) -> bool:
 def observed(structure: Structure, other: str, cid: str, action: str | None) -> str:
     """What can be seen of another's action while it is at it."""
     spec = structure.ego.spec if cid in ("E", "ego") else structure[cid].spec
-    target = next((p.target for p in getattr(spec, "phases", ()) if p.action == action), None)
+    phase = next((p for p in getattr(spec, "phases", ()) if p.action == action), None)
+    target = phase.target if phase is not None else None
     whom = scope.reference(structure, target or "ego")
     if action == "stop":  # whoever drives has its speed from the first step on
         return f"clock() > 1 and {other}.speed < 0.3"
@@ -224,6 +225,8 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
         return f"{other}._lane is None and {other}._intersection is None"
     if action == "u_turn":
         return f"turns_round({other})"
+    if action == "overtake" and phase is not None and phase.abandoned:  # it never comes alongside
+        return f"off_lane({other})"
     if action == "overtake":  # it is alongside
         return f"lead_on({other}, {whom}) > -5"
     if action == "collide" and whom != other:

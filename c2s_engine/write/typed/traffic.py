@@ -86,7 +86,8 @@ def _at_pace(structure: Structure) -> Structure:
             continue  # a word says how one drives, not how all do
         followed = any(p.action == "follow" and p.target == component.id for p in ego.phases)
         calm = {p.action for p in spec.phases} <= CALM and not followed
-        if spec.placement.position == "ahead" and spec.type not in LIGHT and calm:
+        first = spec.placement.position == "ahead" and spec.placement.of == "ego"
+        if first and spec.type not in LIGHT and calm:
             continue  # caught up with
         structure = structure.with_spec(component.id, speed=_pace(spec, middle(speed)))
     return structure

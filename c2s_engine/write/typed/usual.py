@@ -24,7 +24,11 @@ UNDISTURBED = 3.0
 SETS_OUT = 8.0
 """m/s at which somebody drives on that stood."""
 SPEEDS_UP = 0.75
-"""Of the speed to which one speeds up first, at what it does that, where nothing says how fast it is."""
+"""Of the speed to which one speeds up first, at what it does that, where nothing says how fast it is; of its own, to
+what one slows down at most."""
+STEADY = ("keep_lane", "cross_road", "move_along", "follow", "go_straight", "run_red", "run_stop", "turn_left",
+          "turn_right", "lane_change", "cut_in", "cut_out", "oncoming", "overtake")  # fmt: skip
+"""What one does first at a speed that is then its own."""
 SLOWS_DOWN = 3.0
 """m/s2 at which one slows down for a turn."""
 ROOM_BEHIND = 4.0
@@ -69,16 +73,24 @@ def speed_of(spec: EgoSpec | ObjectSpec, place: PlaceSpec) -> float | tuple[floa
         first = spec.phases[0]
         if first.action in ("stationary", "wait", "start", "enter_road", "reverse") and first.trigger is None:
             return 0.0
-        steady = ("keep_lane", "cross_road", "move_along", "follow", "go_straight")
-        if first.speed is not None and first.action in steady:
+        if first.speed is not None and first.action in STEADY:
             return first.speed
     kind = spec.type if spec.type in DEFAULT_SPEED else "car"
-    usual, gained = DEFAULT_SPEED[kind], spec.phases[0] if spec.phases else None
-    if gained is not None and gained.action == "accelerate" and gained.speed is not None:
-        return min(middle(usual[place.kind if place.kind in usual else "road"]), SPEEDS_UP * middle(gained.speed))
+    usual, first_to = DEFAULT_SPEED[kind], _first_speed(spec)
+    if first_to > 0:  # another speed than its own
+        common = middle(usual[place.kind if place.kind in usual else "road"])
+        gains = spec.phases[0].action == "accelerate"
+        return min(common, SPEEDS_UP * first_to) if gains else max(common, first_to / SPEEDS_UP)
     turns = isinstance(spec, ObjectSpec) and turn_of(spec.phases) != "STRAIGHT" and "turning" in usual
     found = usual["turning"] if turns else usual[place.kind if place.kind in usual else "road"]
     return found if place.speed_limit is None else min(found, place.speed_limit)
+
+
+def _first_speed(spec: EgoSpec | ObjectSpec) -> float:
+    """To which speed (m/s) somebody first speeds up or slows down; 0: it does neither, or nothing says to which."""
+    first = spec.phases[0] if spec.phases else None
+    changes = first is not None and first.action in ("accelerate", "brake")
+    return middle(first.speed) if changes and first.speed is not None else 0.0  # type: ignore[union-attr]
 
 
 def pace_of(o: ObjectSpec) -> float | tuple[float, float]:
@@ -211,6 +223,11 @@ def at_corner(o: ObjectSpec, place: PlaceSpec) -> bool:
     at = o.placement
     beside = at.position in MOVES_OFF_ROAD and at.of == "ego" and at.gap is None and at.along != "behind"
     return o.type in HEIGHT and o.count == 1 and place.kind in JUNCTION and beside
+
+
+def has_marking(place: PlaceSpec) -> bool:
+    """Whether a crosswalk lies on ego's road, over which those go who cross it."""
+    return place.kind == "crosswalk" or place.kind == "intersection" and bool(place.crosswalk)
 
 
 def uses_crosswalk(o: ObjectSpec) -> bool:

@@ -4,7 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import called
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Trigger
-from c2s_engine.structure.triggers import is_watched
+from c2s_engine.structure.triggers import is_watched, other_of
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, APPROACH_NAME, LANE_NAME
@@ -39,7 +39,8 @@ def watched(structure: Structure, plan: Plan, t: Trigger, own: str, name: str = 
     """The condition of a trigger. `own`: the component whose phase it is, which the code calls `name`."""
     subject = name if t.subject in (None, called(own)) else scope.reference(structure, str(t.subject))
     cid = called(own) if t.subject is None else t.subject
-    other = _name(structure, t.of or _other(structure, cid), own, name)
+    first = structure.objects[0].id if structure.objects else "ego"
+    other = _name(structure, other_of(t, called(own), first), own, name)
     value = middle(with_value(t).value or 0.0)
     match t.kind:
         case "time":
@@ -75,11 +76,6 @@ def watched(structure: Structure, plan: Plan, t: Trigger, own: str, name: str = 
 
 def _name(structure: Structure, cid: str, own: str, name: str) -> str:
     return name if cid == called(own) else scope.reference(structure, cid)
-
-
-def _other(structure: Structure, subject: str) -> str:
-    """Ego, or for ego the first object."""
-    return "ego" if subject != "ego" or not structure.objects else structure.objects[0].id
 
 
 def _seen(structure: Structure, subject: str, other: str, cids: tuple[str | None, ...]) -> str:

@@ -17,7 +17,7 @@ behavior EgoBehavior():
     line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until touch(one, two)
-    do Drive(line, 6, rate=6)  # brakes
+    do Drive(line, EGO_SPEED / 2, rate=6)  # brakes
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',

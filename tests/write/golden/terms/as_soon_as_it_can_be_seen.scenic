@@ -18,7 +18,7 @@ behavior EgoBehavior():
     line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until not hides(van, self.position, kid.position)
-    do Drive(line, 5, rate=3)  # brakes
+    do Drive(line, EGO_SPEED / 2, rate=3)  # brakes
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',

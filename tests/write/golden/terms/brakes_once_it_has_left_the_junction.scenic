@@ -19,7 +19,7 @@ behavior EgoBehavior():
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until self._intersection  # turns left
     do Drive(line, EGO_SPEED) until has_crossed(self)
-    do Drive(line, 4, rate=3)  # brakes
+    do Drive(line, EGO_SPEED / 2, rate=3)  # brakes
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',

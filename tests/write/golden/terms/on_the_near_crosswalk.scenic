@@ -7,8 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: An intersection, where ego goes straight on, with a crosswalk.
-place = Uniform(*junctions(STRAIGHT, crosswalk=True, approach=88, ego_lane='rightmost'))
-EGO_TO_JUNCTION = 62.5  # m
+place = Uniform(*junctions(STRAIGHT, crosswalk=True, approach=61, ego_lane='rightmost'))
+EGO_TO_JUNCTION = 36  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 
 ## E: Ego, a car, drives at 32.4 km/h; it brakes for what comes into its way.

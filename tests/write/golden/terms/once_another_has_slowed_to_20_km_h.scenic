@@ -17,7 +17,7 @@ behavior EgoBehavior():
     line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until clock() > 0.5 and abs(lead.speed - 5.6) < 0.45
-    do Drive(line, 6, rate=3)  # brakes
+    do Drive(line, EGO_SPEED / 2, rate=3)  # brakes
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',

@@ -35,7 +35,7 @@ behavior Actor1Behavior():
     do Stop(line, rate=3.5) until self.speed < 0.2  # stops
     do Stop(line, rate=3.5) for 1 seconds
     do Stop(line, rate=4) for 2 seconds  # waits
-    do Drive(line, ACTOR1_SPEED, rate=2) until self.speed > 5.5  # moves off
+    do SpeedUpTo(line, ACTOR1_SPEED, rate=2)  # moves off
     do Stop(line, rate=3.5)  # stops
 
 actor1 = new Car at place.lane.centerline.pointAlongBy(ACTOR1_AT),

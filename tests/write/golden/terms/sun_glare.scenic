@@ -18,7 +18,7 @@ behavior EgoBehavior():
     line = route(place.lane)
     take SetSpeedAction(EGO_SPEED)
     do Drive(line, EGO_SPEED) until gap(self, actor1) < 10
-    do SlowTo(line, 6, rate=6)  # brakes
+    do SlowTo(line, EGO_SPEED / 2, rate=6)  # brakes
     do Drive(line, 6) until touch(self, actor1)  # hits the actor1
     do Stop(line, rate=6)
 

@@ -20,7 +20,7 @@ behavior EgoBehavior():
     do Drive(line, EGO_SPEED) until to_line(self, place.lane) < 0.5 + self.speed ** 2 / 6
     do StopAtLine(line, place.lane, EGO_SPEED)  # stops
     do Stop(line, rate=3.5) until getClosestTrafficLightStatus(self) == 'green'
-    do Drive(line, EGO_SPEED, rate=2) until self.speed > 9.5  # moves off
+    do SpeedUpTo(line, EGO_SPEED, rate=2)  # moves off
     do Drive(line, EGO_SPEED)  # turns left
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),

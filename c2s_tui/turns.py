@@ -135,7 +135,7 @@ class Turns(Part):
 
     async def _take(self, event: Progress) -> None:
         if isinstance(event, StageStarted):
-            self.working = DOING.get(event.stage, self.working)
+            self.working = DOING.get(event.stage, self.working) + event.runs
         self.desk = desks.step(self.desk, event)
         await self.chat.take(event)
         if event.type not in ("token", "say", "passage"):

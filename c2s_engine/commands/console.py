@@ -20,8 +20,18 @@ OK, REFUSED, BAD_INPUT, NO_SERVICE, INTERRUPTED = 0, 1, 2, 3, 130
 """Exit codes: done; the scenario or program has a fault that is named; the input cannot be used; a service, file or
 permission is missing; interrupted by the user."""
 
+
+class _Unheard(Console):
+    """The console for what is said along the way: work goes on, in silence, where nobody reads it any more."""
+
+    def on_broken_pipe(self) -> None:
+        self.quiet = True
+        with contextlib.suppress(OSError, ValueError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stderr.fileno())
+
+
 out = Console(highlight=False)
-err = Console(stderr=True, highlight=False)
+err = _Unheard(stderr=True, highlight=False)
 
 
 class InputError(ValueError):

@@ -112,7 +112,7 @@ async def _generate(
                     read = event.structure
                     idle = asyncio.create_task(engine.without_effect(read.text, read))  # while that is run
                 elif isinstance(event, StageStarted) and status is not None:
-                    status.update(event.stage)
+                    status.update(event.stage + event.runs)
                 elif isinstance(event, Say) and not quiet:
                     err.print(Text(event.text, style={"warning": "yellow", "error": "red"}.get(event.severity, "")))
                 elif isinstance(event, Finished):

@@ -4,7 +4,7 @@ from collections.abc import AsyncGenerator
 
 from c2s_engine.session.places import map_choice
 from c2s_engine.session.solving import Trials
-from c2s_engine.session.steps import Tools
+from c2s_engine.session.steps import Tools, silent
 from c2s_engine.solve import relaxations
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.offers import Offer
@@ -18,7 +18,7 @@ async def contradictions(
 
     Raises MapNotFound."""
     folder = str(map_choice(tools.library, tools.library.find(map_name)).path.parent)
-    trials = Trials({"map_name": map_name, "room": room, "seed": seed, "folder": folder}, tools)
+    trials = Trials({"map_name": map_name, "room": room, "seed": seed, "folder": folder}, tools, silent, 0)
     first = await trials.run(structure)
     if first is None or not first.failing:
         return

@@ -370,11 +370,12 @@ class Session:
         return not self._same[turn.checkpoint]
 
     def _last(self, turn: Pending) -> tuple[str, dict[str, Any]] | None:
-        """What was typed in the turn before and S before that, where a turn is short enough to correct it."""
-        if turn.kind != "say" or len(turn.text.split()) > CORRECTING:
-            return None
+        """What was typed in the turn before and S before that, where a turn is short enough to correct it, or says the
+        same again."""
         path = self._path()
-        if len(path) < 2 or path[-1].kind != "say":
+        if turn.kind != "say" or len(path) < 2 or path[-1].kind != "say":
+            return None
+        if len(turn.text.split()) > CORRECTING and turn.text != path[-1].text:
             return None
         return path[-1].text, self._load(path[-2].checkpoint).structure.model_dump(mode="json")
 

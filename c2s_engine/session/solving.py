@@ -42,8 +42,9 @@ def _is_new(state: dict[str, Any]) -> bool:
 class Trials:
     """Changed structures, written, run and judged in a turn's place and on its map. Nothing of it is shown."""
 
-    def __init__(self, state: dict[str, Any], tools: Tools):
-        self.state, self.tools = state, tools
+    def __init__(self, state: dict[str, Any], tools: Tools, emit: Emit, most: int):
+        self.state, self.tools, self.emit, self.most = state, tools, emit, most
+        self.count = 0
         self.writer = TypedWriter(map_choice(tools.library, tools.library.find(state["map_name"])), room=state["room"])
         self.seen: list[tuple[Structure, Judged]] = []
         if tools.seen is not None and tools.seen[0] == state.get("program", {}).get("text"):
@@ -60,6 +61,9 @@ class Trials:
     async def run(self, structure: Structure, runs: int = 1) -> Outcome | None:
         """What it comes to; None where it does not run."""
         state, seed = self.state, self.state.get("seed", 0)
+        self.count += 1
+        if self.count <= self.most:
+            self.emit(StageStarted(stage="solve", run=self.count, most=self.most))
         structure, program, written, result = steps.write(structure, [], self.writer, steps.silent)
         if not result.ok:
             return None
@@ -76,7 +80,8 @@ class Trials:
 
 async def solved(state: dict[str, Any], tools: Tools, emit: Emit) -> dict[str, Any]:
     """What changes of the state: the best that was found, varied where that was asked for."""
-    trials, room, runs = Trials(state, tools), state["room"], state.get("runs", 1)
+    room, runs, most = state["room"], state.get("runs", 1), MOST if _is_new(state) else AFTER_EDIT
+    trials = Trials(state, tools, emit, most)
     emit(StageStarted(stage="solve"))
     started = time.perf_counter()
     first = Outcome(
@@ -84,7 +89,7 @@ async def solved(state: dict[str, Any], tools: Tools, emit: Emit) -> dict[str, A
         tuple(Requirement.model_validate(r) for r in state["requirements"]),
         tuple(Result.model_validate(r) for r in state["results"]),
     )
-    best = await _found(first, trials, room, MOST if _is_new(state) else AFTER_EDIT)
+    best = await _found(first, trials, room, most)
     if state.get("widen") and not best.failing:
         best = await _varied(best, trials, room, runs)
     elif best is not first and runs > 1:

@@ -19,6 +19,13 @@ class _Progress(BaseModel):
 class StageStarted(_Progress):
     type: Literal["stage_started"] = "stage_started"
     stage: StageName
+    run: int = Field(0, description="which of its runs begins, where it has several")
+    most: int = Field(0, description="how many of them there may be")
+
+    @property
+    def runs(self) -> str:
+        """` (run 3 of at most 12)`; empty where there are none."""
+        return f" (run {self.run} of at most {self.most})" if self.run else ""
 
 
 class StageDone(_Progress):

@@ -51,6 +51,22 @@ async def test_a_comment_leaves_all_required_and_everything_editable(session):
     assert len(now.code.split("\n")) == len(was.split("\n"))
 
 
+async def test_a_new_description_asks_before_it_replaces_code_by_hand(session):
+    await by_hand(session, "O1", REMARK)
+    before = session.structure
+    assert "O1 has code of yours" in await done(session.say(TEXT, run=False))
+    assert session.structure == before
+    assert "Taken as a new description" in await done(session.say(TEXT, run=False))
+    assert session.structure["O1"].origin == "rendered"
+
+
+async def test_in_a_conflict_the_sentence_says_what_the_fields_do(session):
+    await by_hand(session, "O1", ("take SetSpeedAction(THE_CAR_SPEED)", "take SetSpeedAction(9)"), REMARK)
+    await done(session.apply(SetField(component="O1", path="placement.position", value="left_lane"), run=False))
+    now = session.structure["O1"]
+    assert "lane to the left" in now.description and "lane to the left" in (now.conflict or now.code)
+
+
 async def test_another_type_keeps_the_name_that_code_by_hand_uses(session):
     await by_hand(session, "E", REMARK)
     await by_hand(session, "O1", REMARK)

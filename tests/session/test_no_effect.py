@@ -5,6 +5,7 @@ from session_fake import FakeEngine
 
 from c2s_engine.api import Engine
 from c2s_engine.interpret.learned import reading
+from c2s_engine.interpret.learned.change import changed_structure
 from c2s_engine.interpret.phrases import phrases_of
 from c2s_engine.session.no_effect import REASON, phrases_sentence
 from c2s_engine.session.sessions import Sessions
@@ -20,6 +21,8 @@ CASES = [
      ["red", "without indicating"]),
     ("Ego drives at 50 km/h. My cousin owns a boat. A car ahead brakes.", BRAKES, []),  # named as background
     ("Ego drives at 50 km/h with a smile. A car ahead brakes.", f"{BRAKES}\nX: with a smile", []),  # named as left out
+    ("Ego goes straight on at a signalised intersection. A car comes towards it.",
+     "R: intersection control=signal manoeuvre=straight\nE: car\nO1: car at=opposite_approach", []),
 ]  # fmt: skip
 
 
@@ -41,6 +44,28 @@ async def test_of_a_change_what_s_does_not_say_after_it(engine):
     found = await engine.without_effect("make the car brake with 6 m/s2, with a nice driver", structure)
     assert [u.text for u in found] == ["with a nice driver"]
     assert phrases_sentence(found) == "Nothing in S says: “with a nice driver”."
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "lost"),
+    [
+        ("make the car slower", "O1: speed=30km/h", []),
+        ("make the car slower", "O1: gap=30m", ["make the car slower"]),
+        ("add a car 5 m closer behind ego", "+O2: car at=behind gap=5m", []),
+        ("make the car a van and let ego drive 35 km/h", "O1: van", ["35 km/h"]),
+        ("put the car 5 m closer", "O1: gap=20m", []),
+    ],
+)
+async def test_of_a_change_the_fields_that_it_changed_say_it_and_no_others(engine, text, line, lost):
+    before = reading(BRAKES, "Ego drives at 50 km/h. A car ahead brakes.")
+    after = changed_structure(before, [line])
+    assert [u.text for u in await engine.without_effect(text, after, before)] == lost
+
+
+def test_what_the_model_left_out_though_fields_say_it_is_not_lost():
+    text = "Ego drives at 50 km/h and has to brake. A car ahead brakes with a smile."
+    structure = reading(f"{BRAKES.replace('50km/h', '50km/h reaction=brake')}\nX: has to brake | with a smile", text)
+    assert [u.text for u in structure.not_understood] == ["with a smile"]
 
 
 async def test_what_was_found_stays_with_the_session(tmp_path):

@@ -15,7 +15,16 @@ from c2s_engine.solve.unknowns import LIMITS, STRAYS, chosen
 from c2s_engine.structure.components import Assumption, Component, Structure
 from c2s_engine.structure.edits import SetField, apply
 from c2s_engine.structure.requirements import Requirement, Result
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement, PlaceSpec, Trigger
+from c2s_engine.structure.specs import (
+    EgoSpec,
+    LightChange,
+    ObjectSpec,
+    Phase,
+    Placement,
+    PlaceSpec,
+    SettingsSpec,
+    Trigger,
+)
 from c2s_engine.write.typed.usual_values import usual_values
 from tests.write import draws
 
@@ -55,6 +64,32 @@ def test_what_is_said_is_no_unknown():
     assert paths(lead()) == {"O1.placement.gap", "O1.speed", "O1.phases.0.trigger", "T.duration"}
     said = lead(speed=14.0, placement=Placement(gap=30.0))
     assert paths(said) == {"O1.phases.0.trigger", "T.duration"}
+
+
+def test_when_the_light_changes_is_open_where_s_says_only_that_it_does():
+    structure = lead().with_component(Component(id="G", spec=SettingsSpec(
+        light="red", light_changes=(LightChange(to="green", when=Trigger(kind="time")),))))  # fmt: skip
+    structure = structure.with_component(Component(id="R", spec=PlaceSpec(kind="intersection", control="signal")))
+    path = "light_changes.0.when.value"
+    assert f"G.{path}" in paths(structure)
+    unknown = next(u for u in unknowns(structure, usual_values(structure, 1.0)) if u.path == path)
+    settled = chosen(structure, unknown, 6.0)
+    assert settled.settings.spec.light_changes[0].when.value == 6.0
+    assert f"G.{path}" in paths(settled)
+    said = apply(structure, SetField(component="G", path=path, value=8.0))
+    assert f"G.{path}" not in paths(said)
+
+
+def test_a_run_that_was_shortened_before_grows_where_something_is_not_seen_in_it():
+    structure = lead(speed=14.0, placement=Placement(gap=30.0))
+    structure = structure.with_spec("O1", phases=(Phase(action="brake", trigger=Trigger(kind="time", value=20.0)),))
+    open_ = unknowns(structure, usual_values(structure, 1.0))
+    structure = chosen(structure, next(u for u in open_ if u.component == "T"), 9.0)
+    open_ = unknowns(structure, usual := usual_values(structure, 1.0))
+    shown = next(r for r in require(structure) if r.check == "shown")
+    unseen = Result(requirement=shown.id, holds=False, robustness=None, said="")
+    first = moves(structure, [(shown, unseen)], open_, usual)[0]
+    assert [(u.path, value) for u, value in first] == [("duration", 28.0)]
 
 
 def test_what_was_assumed_is_an_unknown():

@@ -3,6 +3,7 @@
 import ctypes
 import json
 import os
+import shlex
 import stat
 import subprocess
 import sys
@@ -80,6 +81,16 @@ def test_the_program_alone_is_on_stdout_and_plain_scenic_takes_it(tmp_path):
     plain = f"import scenic; scenic.scenarioFromFile({str(program)!r}).generate(maxIterations=500)"
     compiled = subprocess.run([sys.executable, "-c", plain], capture_output=True, text=True, timeout=120)
     assert compiled.returncode == 0, compiled.stderr
+
+
+@pytest.mark.full
+def test_a_turn_that_nobody_listens_to_is_done_all_the_same(tmp_path):
+    """As `c2s edit ... 2>&1 | head -1` leaves it."""
+    env = {**os.environ, "XDG_DATA_HOME": str(tmp_path)}
+    command = f"{sys.executable} -m c2s_engine.cli edit one --new --no-run --say {shlex.quote(TEXT)} 2>&1 | head -1"
+    subprocess.run(command, shell=True, env=env, timeout=90, check=True, stdout=subprocess.DEVNULL)
+    listed = c2s("edit", "one", "--json", XDG_DATA_HOME=str(tmp_path))
+    assert json.loads(listed.stdout)["program"]
 
 
 def test_the_version():

@@ -52,6 +52,8 @@ async def test_the_run_shows_it(engine, name):
     components = {o.name: o.component for o in facts.objects}
     for thing in facts.objects:
         assert not missing(thing, case["shows"].get(thing.component, []), components), thing.component
+    failed = {r.requirement for r in done.results if not r.holds}
+    assert not failed & set(case.get("holds", ()))
     if case.get("whole"):
         assert not [r for r in done.results if not r.holds]
 

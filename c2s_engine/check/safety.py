@@ -19,7 +19,7 @@ from c2s_engine import driving
 from c2s_engine.check import world
 from c2s_engine.structure.diagnostics import Diagnostic
 
-FIX = "leave it out; if this is your own file and you trust it, check it with --trust"
+FIX = "leave it out; if this is your own file and you trust it, check it with `c2s check FILE --trust`"
 _BUILTIN = frozenset(dir(builtins))
 LONGEST = 4000  # digits or characters of one literal
 

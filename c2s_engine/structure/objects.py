@@ -5,6 +5,8 @@ import keyword
 from c2s_engine.structure.components import Component, Structure, Unmet
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 
+IN_CIRCLE = "objects are placed by one another in a circle: what hides this one is left out"
+
 
 def object_spec(component: Component) -> ObjectSpec:
     """The spec of an object's component."""
@@ -41,7 +43,7 @@ def in_order(structure: Structure) -> Structure:
         free = next((o for o in left if _rests_on(o) <= placed | {o.id}), None)
         if free is None:
             free = next((o for o in left if object_spec(o).placement.of in placed), left[0])
-            hidden = Unmet(text=free.description, reason="objects hide each other in a circle")
+            hidden = Unmet(text=free.description, reason=IN_CIRCLE)
             update = (
                 {"hidden_by": None} if object_spec(free).placement.of in placed else {"hidden_by": None, "of": "ego"}
             )

@@ -34,7 +34,8 @@ def clause(t: Trigger, one: str, other: str) -> str:
     action, place = (t.action or "").replace("_", " "), (t.place or "").replace("_", " ")
     patterns = {
         "distance": f"{one} is {value} m from {other}", "apart": f"{one} is as far as {value} m from {other}",
-        "ttc": f"{one} is {value} s from {other}", "time": f"{value} s have passed",
+        "ttc": f"{one} is {value} s from {other}",
+        "time": f"{value} {'s have' if t.value is not None else 'time has'} passed",
         "action": f"{other}: {action} begins", "passed": f"{one} has gone by {other}",
         "speed": f"{one} goes at {in_words('speed', t.value) if t.value is not None else 'some speed'}",
         "light": f"the light before {one} is {t.light}", "seen": f"{one} can see {other}",

@@ -7,6 +7,9 @@ from c2s_engine.structure.event_words import ACTS
 
 Text = Callable[[Any, str], str]
 """A value with its unit, as text."""
+OPEN = {"distance": "when {of} is near", "ttc": "when {of} is near", "apart": "when {who} is far enough from {of}",
+        "speed": "when {who} goes at some speed", "time": "some time after the start"}  # fmt: skip
+"""Triggers whose value is left open, by kind."""
 EMPTY: tuple[Any, ...] = (None, [], {}, "")
 WHERE = {
     "left_lane": "in the lane to the left", "right_lane": "in the lane to the right", "ahead": "", "behind": "",
@@ -63,6 +66,8 @@ def trigger(part: dict[str, Any], text: Text) -> str:
 def _event(part: dict[str, Any], text: Text) -> str:
     of, value = part.get("of") or "the other", part.get("value")
     who = part.get("subject") or "it"
+    if value in EMPTY and part["kind"] in OPEN:
+        return OPEN[part["kind"]].format(who=who, of=of)
     if part["kind"] == "apart":
         return f"when {who} is as far as {text(value, 'm')} from {of}"
     if part["kind"] == "speed":

@@ -242,8 +242,8 @@ def _onset_of(scene: Scene, actor: str) -> str:
         return told
     turning = next((p for p in spec.phases if p.action in TURNS), None)
     turns = turning.action if turning is not None else ""
-    comes = spec.placement.position in APPROACHES and spec.placement.position != "opposite_approach"
-    if turning is not None and (not comes or turning.trigger is not None):  # what it means to do is seen as it turns
+    beside = spec.placement.position not in APPROACHES  # it slows for it
+    if turning is not None and (beside or turning.trigger is not None):
         return turns
     threat = next((i for i, p in enumerate(spec.phases) if p.action in THREATS and p.action != "stationary"), None)
     if threat is not None and turns in [p.action for p in spec.phases[:threat]]:

@@ -326,7 +326,7 @@ def to_side(requirement: Requirement, evidence: Evidence) -> Result:
     aside, first = motion.of_course("aside"), motion.at(time - (0.5 if begins else 4.0))
     moved = aside[first : motion.at(time + 3.0) + 1] - aside[first]
     most = float(moved[np.abs(moved).argmax()]) if len(moved) else float("nan")
-    if any(s.against for s in motion.course.stays if s.time <= motion.time[first]):  # its own left
+    if any(s.against for s in motion.course.stays[:1]):  # its own left
         most = -most
     margin = most if said == "left" else -most
     return scored(requirement, margin / 1.0, f"to the {said}", f"{abs(most):.1f} m to the "

@@ -1531,20 +1531,19 @@ def _exactly(lanes, places):
     return lanes and [place for place in places if len(place.lane.group.lanes) == lanes] or places
 
 def ordinary(places, speed=0):
-    """Of some places those that are meant where nothing is said of lanes, control and limits: with a posted limit that
-    suits a speed (m/s), where ego comes to no sign and to no light, with the fewest lanes in ego's direction and then
-    about as few on the other roads of the junction; of each only where there are such."""
+    """Of some places those that are meant where nothing is said of lanes, control and limits: where ego comes to no sign
+    and to no light, with the fewest lanes in ego's direction and then about as few on the other roads of the junction,
+    and with a posted limit that suits a speed (m/s); of each only where there are such."""
     facts = map_facts()
-    limits = facts.limits
-    if speed:
-        places = [p for p in places if 0.8 * speed <= limits.get(p.lane.road.id, 0) <= 1.6 * speed] or places
     for control in 'stop', 'signal':
         places = [p for p in places if not (p.turn and p.turn.intersection)
                   or (facts.sign(p.turn.startLane, p.turn.intersection) or '') != control] or places
     fewest = min([len(place.lane.group.lanes) for place in places], default=0)
     few = [place for place in places if len(place.lane.group.lanes) == fewest]
     sizes = {place: len(place.turn.intersection.incomingLanes) if place.turn and place.turn.intersection else 0 for place in few}
-    return [place for place in few if sizes[place] <= min(sizes.values(), default=0) + 2]
+    few = [place for place in few if sizes[place] <= min(sizes.values()) + 2]
+    limits = facts.limits
+    return speed and [p for p in few if 0.8 * speed <= limits.get(p.lane.road.id, 0) <= 1.6 * speed] or few
 
 def _longer(place, metres, over, lanes, ahead=False, exit=0):
     """The place with ego's lane of `metres` up to its end (`ahead`: from its start) and `exit` m behind the junction,

@@ -7,8 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*ordinary(stretches(length=375, min_length=180, ego_lane='leftmost',
-    oncoming=True), speed=10))
+place = Uniform(*stretches(length=375, min_length=180, ego_lane='leftmost', oncoming=True))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E

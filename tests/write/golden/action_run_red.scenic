@@ -7,8 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*ordinary(junctions(STRAIGHT, control='signal', approach=69,
-    others=[From('left')]), speed=11))
+place = Uniform(*junctions(STRAIGHT, control='signal', approach=69, others=[From('left')]))
 EGO_TO_JUNCTION = 44  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

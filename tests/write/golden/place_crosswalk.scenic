@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*ordinary(crosswalks(before=69), speed=11))
+place = Uniform(*crosswalks(before=69))
 EGO_TO_CROSSWALK = 44  # m
 EGO_AT = place.mark - EGO_TO_CROSSWALK
 

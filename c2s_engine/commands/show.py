@@ -85,8 +85,8 @@ def conflicts(s: Structure, session: str, to: Console = out) -> None:
     """Where code by hand says otherwise than S: what would be written instead, and how to take it."""
     for component in s.components:
         if component.conflict:
-            lines = unified_diff(component.code.splitlines(), component.conflict.splitlines(), lineterm="", n=0)
-            changed = "\n".join(f"    {line}" for line in lines if line[:1] in "+-" and line[:3] not in ("---", "+++"))
+            lines = list(unified_diff(component.code.splitlines(), component.conflict.splitlines(), lineterm="", n=0))
+            changed = "\n".join(f"    {line}" for line in lines[2:] if not line.startswith("@@"))
             to.print(Text(f"{component.id}: your code is in conflict with its fields, by which it would be\n{changed}\n"
                           f"    (`c2s edit {session} --code {component.id}=` takes that)", style="yellow"))  # fmt: skip
 

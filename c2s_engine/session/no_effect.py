@@ -1,11 +1,10 @@
 """What of a text nothing in S says, though no stage named it as lost."""
 
-import math
 import re
 from collections.abc import Sequence
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.learned.account import said_words, values_of
+from c2s_engine.interpret.learned.account import numbers_of, said_words, same, values_of
 from c2s_engine.interpret.learned.units import ONES, quantities
 from c2s_engine.interpret.mentions import mentions
 from c2s_engine.session.reader import phrases
@@ -53,9 +52,8 @@ async def without_effect(
 def _of_fields(structure: Structure, before: Structure | None) -> frozenset[str]:
     """The stems of the words for fields that became another."""
     found: set[str] = set()
-    if before is None:
-        return frozenset()
-    for component in structure.components:
+    for component in structure.components if before is not None else ():
+        assert before is not None
         was = dict(values_of(before[component.id].spec.model_dump())) if component.id in before else {}
         now = dict(values_of(component.spec.model_dump()))
         for path in {p for p in now | was if now.get(p) != was.get(p)}:
@@ -66,11 +64,10 @@ def _of_fields(structure: Structure, before: Structure | None) -> frozenset[str]
 def _amounts(text: str, structure: Structure) -> list[Span]:
     """Where quantities stand in a change that no field of S has; one by how much something changes is in none."""
     relative = language.table("trade")["relative"]
-    held = [float(v) for c in structure.components for _, v in values_of(c.spec.model_dump(exclude_defaults=True))
-            if isinstance(v, int | float) and not isinstance(v, bool)]  # fmt: skip
+    held = [number for _, _, number in numbers_of(structure)]
     return [(a, b) for (a, b), value, _ in quantities(text)
             if not set(text[:a].lower().split()[-1:] + text[b:].lower().split()[:1]) & set(relative)
-            and not any(math.isclose(h, value, rel_tol=0.02, abs_tol=0.06) for h in held)]  # fmt: skip
+            and not any(same(number, value) for number in held)]  # fmt: skip
 
 
 def _nouns(text: str, structure: Structure) -> list[str]:

@@ -372,8 +372,8 @@ class Session:
     def _last(self, turn: Pending) -> tuple[str, dict[str, Any]] | None:
         """What was typed in the turn before and S before that, where a turn is short enough to correct it, or says the
         same again."""
-        path = self._path()
-        if turn.kind != "say" or len(path) < 2 or path[-1].kind != "say":
+        path = self._path() if turn.kind == "say" else []
+        if len(path) < 2 or path[-1].kind != "say":
             return None
         if len(turn.text.split()) > CORRECTING and turn.text != path[-1].text:
             return None

@@ -80,8 +80,8 @@ class Trials:
 
 async def solved(state: dict[str, Any], tools: Tools, emit: Emit) -> dict[str, Any]:
     """What changes of the state: the best that was found, varied where that was asked for."""
-    room, runs, most = state["room"], state.get("runs", 1), MOST if _is_new(state) else AFTER_EDIT
-    trials = Trials(state, tools, emit, most)
+    room, runs = state["room"], state.get("runs", 1)
+    trials = Trials(state, tools, emit, MOST if _is_new(state) else AFTER_EDIT)
     emit(StageStarted(stage="solve"))
     started = time.perf_counter()
     first = Outcome(
@@ -89,7 +89,7 @@ async def solved(state: dict[str, Any], tools: Tools, emit: Emit) -> dict[str, A
         tuple(Requirement.model_validate(r) for r in state["requirements"]),
         tuple(Result.model_validate(r) for r in state["results"]),
     )
-    best = await _found(first, trials, room, most)
+    best = await _found(first, trials, room)
     if state.get("widen") and not best.failing:
         best = await _varied(best, trials, room, runs)
     elif best is not first and runs > 1:
@@ -104,15 +104,15 @@ async def solved(state: dict[str, Any], tools: Tools, emit: Emit) -> dict[str, A
     return kept.update({**state, "stages": stages}, upto=("interpret", "resolve", "solve"))
 
 
-async def _found(first: Outcome, trials: Trials, room: float, most: int) -> Outcome:
+async def _found(first: Outcome, trials: Trials, room: float) -> Outcome:
     """The best that the search finds, run; where it does not show what was foreseen, found by runs alone."""
-    best = await solve(first, trials.foreseen, room, most=most)
+    best = await solve(first, trials.foreseen, room, most=trials.most)
     if best is first or best.kept is not None:
         return best
     ran = await trials.run(best.structure)
     if ran is not None and ran.score >= best.score:
         return ran
-    return await solve(first, trials.run, room, most=most)
+    return await solve(first, trials.run, room, most=trials.most)
 
 
 async def _varied(best: Outcome, trials: Trials, room: float, runs: int) -> Outcome:

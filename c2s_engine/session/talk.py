@@ -19,6 +19,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.edits import RemoveObject
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import Finished, Passage, Progress, Say, Usage
+from c2s_engine.write.by_hand import OWN
 from c2s_engine.write.prompted.influence import label
 
 SHOWN = 3
@@ -96,7 +97,7 @@ def _replaced(structure: Structure) -> str:
 
 def _own_code(structure: Structure | None) -> str:
     """What is asked before a new description takes the place of code that the user wrote; empty where there is none."""
-    own = [c.id for c in structure.components if c.origin == "by_hand" and c.code] if structure is not None else []
+    own = [c.id for c in structure.components if c.origin in OWN and c.code] if structure is not None else []
     if not own:
         return ""
     whose = f"{', '.join(own)} {'have' if len(own) > 1 else 'has'} code of yours"

@@ -88,9 +88,12 @@ async def _meant(before: Structure, after: Structure, cid: str, tools: Any) -> t
 def _others(sentence: str, new: Sequence[Span], after: Structure, cid: str) -> list[str]:
     """The others that the new words of a sentence name and that its fields do not."""
     names = {c.spec.name.replace("_", " ") for c in after.objects if isinstance(c.spec, ObjectSpec) and c.id != cid}
-    said = f" {usual_sentence(after[cid], after)} ".lower()
-    found = (re.search(rf"\b{re.escape(name)}\b", sentence, re.IGNORECASE) for name in sorted({"ego", *names}))
-    return [m[0] for m in found if m and _meets(m.span(), new) and not re.search(rf"\b{m[0]}\b", said, re.IGNORECASE)]
+    said, named = usual_sentence(after[cid], after), []
+    for word in (re.compile(rf"\b{re.escape(name)}\b", re.IGNORECASE) for name in sorted({"ego", *names})):
+        found = word.search(sentence)
+        if found and _meets(found.span(), new) and not word.search(said):
+            named.append(found[0])
+    return named
 
 
 def _new(old: str, sentence: str) -> list[Span]:

@@ -52,7 +52,7 @@ def accounted(structure: Structure, settings: Settings, left_out: Sequence[str] 
     the model said to be in no component."""
     text, plain = structure.text, normalised(structure.text)
     terms = {c.id: said_words(c, structure) for c in structure.components}
-    nouns, numbers = mentions(text), _numbers(structure)
+    nouns, numbers = mentions(text), numbers_of(structure)
     links: dict[str, list[Link]] = defaultdict(list)
     for cid, field, found in settings.found():
         links[cid].append(_link(text, found.span, field))
@@ -102,7 +102,7 @@ def _of_clause(
             continue
         could.append((match.span(), {cid: said[stem(word)] for cid, said in terms.items() if stem(word) in said}))
     for span, value, _ in amounts:
-        could.append((span, {cid: _whole(path) for cid, path, held in numbers if _same(held, value)}))
+        could.append((span, {cid: _whole(path) for cid, path, held in numbers if same(held, value)}))
     weight: dict[str, float] = defaultdict(float, {last: LAST if names else STILL})
     for _, whose in could:
         for cid, field in whose.items():
@@ -132,7 +132,8 @@ def _terms(component: Component, structure: Structure) -> Iterator[tuple[str, st
         if isinstance(value, str) and not re.fullmatch(r"O\d+|ego", value):
             field = _whole(path)
             yield from ((word, field) for word in stems(f"{value} {value.removesuffix('most')}") - _small_stems())
-            yield from ((stem(word), field) for word in language.table("trade")["values"].get(value, ()))
+            words = language.table("trade")["values"].get(re.split(r"\.(?!\d)", path)[-1], {}).get(value, ())
+            yield from ((stem(word), field) for word in words)
             if path.endswith((".action", "reaction")):
                 yield from ((word, field) for word in _verbs().get(value, ()))
 
@@ -147,7 +148,7 @@ def values_of(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
         yield path, value
 
 
-def _numbers(structure: Structure) -> list[Number]:
+def numbers_of(structure: Structure) -> list[Number]:
     """The numbers that components hold: whose, by which path."""
     return [(c.id, path, float(held)) for c in structure.components
             for path, held in values_of(c.spec.model_dump(exclude_defaults=True))
@@ -159,7 +160,8 @@ def _whole(path: str) -> str:
     return ".".join(path.split(".")[:2]) if path.startswith("phases") else re.sub(r"\.\d+$", "", path)
 
 
-def _same(held: float, value: float) -> bool:
+def same(held: float, value: float) -> bool:
+    """Whether a number that S holds is one of the text, which is rounded."""
     return math.isclose(held, value, rel_tol=0.02, abs_tol=0.06)
 
 
@@ -168,7 +170,7 @@ def _values(structure: Structure, numbers: Sequence[Number]) -> Iterator[Unmet]:
     speeds = [held for _, path, held in numbers if path.split(".")[0] == "speed"]
     for span, value, unit in quantities(structure.text):
         ways = [value * speed for speed in speeds] if unit == "s" else []
-        if not any(_same(held, v) for _, _, held in numbers for v in (value, *ways)):
+        if not any(same(held, v) for _, _, held in numbers for v in (value, *ways)):
             words = structure.text[slice(*span)]
             yield Unmet(text=words, reason=NO_VALUE.format(words), span=span)
 

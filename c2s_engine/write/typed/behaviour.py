@@ -78,7 +78,8 @@ def _steps(course: Course) -> tuple[list[Step], dict[int, str]]:
     done: list[Step] = []
     begun: dict[int, str] = {}
     since, was = 0, course.value  # the first step of the phase before, and how fast it was then
-    nears = phases[0].trigger is not None and phases[0].trigger.kind in ("ttc", "distance") if phases else False
+    first = phases[0].trigger if phases else None
+    nears = first is not None and first.kind in ("ttc", "distance")  # as it drives
     course.behind = "" if nears else _overtaken_later(course, phases)
     if not phases or phases[0].trigger is not None or implicit(course, phases[0]):
         done.append(([course.drive(SLOW if course.actor.sets_out else _behind_awaited(course, phases))], ""))

@@ -19,7 +19,7 @@ from c2s_engine.write.typed.tables import (
     is_vehicle,
     is_walker,
 )
-from c2s_engine.write.typed.usual import at_corner, right_behind, row_step, uses_crosswalk, walks_first
+from c2s_engine.write.typed.usual import at_corner, has_marking, right_behind, row_step, uses_crosswalk, walks_first
 
 SHORT_OF_CROSSWALK = 4.0
 """m from the middle of a crosswalk to what stands in a lane before it."""
@@ -83,8 +83,9 @@ def before_crosswalk(structure: Structure, cid: str, plan: Plan) -> str:
     spec, who, marked = structure[cid].spec, stations.hides(structure, cid), crosswalk(plan)
     if not isinstance(spec, ObjectSpec) or who is None or not marked or not _rests(spec):
         return ""
-    at, off_road = spec.placement, spec.placement.position in MOVES_OFF_ROAD and is_walker(who)
-    there = at.of == "ego" and at.along != "abreast" and at.gap is None and at.facing != "across"
+    at = spec.placement
+    off_road = at.position in MOVES_OFF_ROAD and is_walker(who) and at.facing != "across"
+    there = at.of == "ego" and at.along != "abreast" and at.gap is None
     if not there or not off_road and at.position not in NEXT_LANES:
         return ""
     short = stations.RIGHT_BEHIND + LENGTH[who.type] / 2 if off_road else SHORT_OF_CROSSWALK
@@ -102,7 +103,7 @@ def crosswalk(plan: Plan) -> str:
     """Where along ego's lane the crosswalk lies; "": there is none."""
     if plan.place.kind == "crosswalk":
         return "EGO_AT + EGO_TO_CROSSWALK"
-    return "crosswalk_of(place.lane)" if plan.place.kind == "intersection" and plan.place.crosswalk else ""
+    return "crosswalk_of(place.lane)" if has_marking(plan.place) else ""
 
 
 def _corner(structure: Structure, spec: ObjectSpec, at: str, plan: Plan) -> Spot:

@@ -1,8 +1,8 @@
 """Running into another: on the way to it, and from shortly before at it, until both touch."""
 
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.quantity import high, middle
-from c2s_engine.structure.specs import ObjectSpec, Phase, Placement
+from c2s_engine.structure.quantity import middle
+from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.course import Course
 from c2s_engine.write.typed.lateral import sideways
@@ -34,8 +34,6 @@ TOO_LATE = 5
 """m/s2 at which one brakes hard, and too late."""
 FASTER = 2.5
 """m/s by which ego, which brakes too late, is at least faster than whom it then hits."""
-CREEPS, NEAR = 0.9, 8.0
-"""m/s by which ego is faster then that is less than so far (m) behind from the first."""
 ASIDE = 0.6
 """m beside the middle of its lane by which one hits another there with a corner."""
 TO_LEFT, TO_RIGHT = frozenset(("front_right", "rear_left")), frozenset(("front_left", "rear_right"))
@@ -87,8 +85,7 @@ def collides(c: Course, p: Phase) -> list[Step]:
         return [*([([c.drive(waits, 4)], f"until {until} or {LATE}")] if until else []), *_drives_on(c, other)]
     if c.actor.is_ego:
         if p.speed is None and _just_drives(c.other(p.target)):  # nothing else brings ego to it
-            gap = getattr(c.other(p.target), "placement", Placement()).gap
-            c.set(max(goal, c.target_speed(p) + (CREEPS if gap is not None and high(gap) < NEAR else FASTER)))
+            c.set(max(goal, c.target_speed(p) + FASTER))
         return _drives_on(c, other)
     faster = max(goal, c.target_speed(p) + 4)
     if side:  # after it

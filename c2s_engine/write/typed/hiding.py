@@ -151,9 +151,9 @@ def standing(structure: Structure) -> Structure:
         first, beyond = _row_of(structure, component.id)
         if stations.between(structure, who):
             beyond += stations.past_last(structure, who) - LENGTH[spec.type] / 2
-        if has_marking(place) and is_walker(who):  # it stands before the crosswalk
-            continue
-        if spec.placement.position in MOVES_OFF_ROAD and first.spec.placement.gap is None:  # type: ignore[union-attr]
+        marked = has_marking(place) and is_walker(who) and spec.placement.facing != "across"  # it stands before that
+        off_road = spec.placement.position in MOVES_OFF_ROAD and not marked
+        if off_road and first.spec.placement.gap is None:  # type: ignore[union-attr]
             gap = max(float(round(least - beyond)), NOSE_TO_TAIL)
             placed = first.spec.placement.model_copy(update={"gap": gap})  # type: ignore[union-attr]
             changed = first.spec.model_copy(update={"placement": placed})

@@ -71,9 +71,9 @@ def _guarded(actor: Actor, statements: list[str], reacts: bool = False) -> list[
     apart = {*gone_round, *([spec.react_to] if spec.reaction == "follow" else [])}
     apart |= {p.target for p in spec.phases if p.clearance is not None and p.trigger is None}  # with room of its own
     cids = [c for c in threatening(s) if c not in apart and not is_hit(spec, c) and not _stays_behind(s, c)]
-    heeded = " ".join(line for line in statements if line.startswith("interrupt"))
-    cids = [c for c in cids if c not in _strikers(s, cids) and scope.reference(s, c).split("[")[0] not in heeded]
-    seen = once_seen(s, cids)
+    heeded = {name for line in statements if line.startswith("interrupt") for name in re.findall(r"\w+", line)}
+    strikers = _strikers(s, cids)
+    seen = once_seen(s, [c for c in cids if c not in strikers and scope.reference(s, c).split("[")[0] not in heeded])
     if reacts:
         return [*statements, *_around([], seen, LAST, _brakes(seen, HARD))[1:]]
     return _around(statements, seen, LAST, _brakes(seen, HARD)) if seen else statements

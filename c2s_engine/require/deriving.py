@@ -3,6 +3,7 @@
 from c2s_engine.require import (
     actors,
     arriving,
+    causes,
     conflict,
     crossing,
     giving_way,
@@ -22,7 +23,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.requirements import Requirement
 
 PARTS = (
-    road, actors, starts, phases, manoeuvres, watched, crossing,
+    road, actors, starts, phases, manoeuvres, watched, causes, crossing,
     outcome, arriving, conflict, giving_way, natural, rules, limits, pace,
 )  # fmt: skip
 """Phases come before what reads their moments."""

@@ -111,7 +111,10 @@ def _leaves(motion: Motion, time: float, round_it: bool) -> float:
     inside = next((k for k, s in enumerate(stays) if s.kind == "junction" and s.time > time - 1.0), None)
     if inside is None:
         return time
-    return stays[inside + 1].time if inside + 1 < len(stays) else float(motion.time[-1])
+    if inside + 1 < len(stays):
+        return stays[inside + 1].time
+    moving = np.flatnonzero(motion.speed > STANDING)  # it may have come to a stand there
+    return max(time, float(motion.time[moving[-1]])) if len(moving) else time
 
 
 def _braked(requirement: Requirement, evidence: Evidence) -> list[float]:

@@ -67,8 +67,10 @@ def required(scene: Scene) -> Iterator[Requirement]:
         yield from _details(scene, actor, path, phase, seen.id)
         yield from moments.required(scene, actor, path, phase, seen.id)
         if phase.action not in LASTING:
-            gives_way = phase.action == "yield" and i > 0 and scene.actors[actor].phases[i - 1].action in SLOWS
-            if after and not gives_way:  # slowing down is how it does that
+            was = scene.actors[actor].phases[i - 1].action if i else ""
+            gives_way = phase.action == "yield" and was in SLOWS  # slowing down is how it does that
+            gives_way |= scene.place.kind == "roundabout" and was == "yield"  # on the way into it
+            if after and not gives_way:
                 yield scene.make("order", "in_order", actor, f"{path}.order", f"{name}: {said} comes after its "
                                  "previous phase.", first=after, second=seen.id)  # fmt: skip
             before[actor] = seen.id, phase

@@ -584,7 +584,7 @@ def _gone_by(car, walkers):
     """Whether all of them have gone by, with room, where `car` waits."""
     return braking_needed(car, walkers) <= 0 and all(passed(one, car, margin=2.5) for one in walkers)
 
-behavior BrakeFor(points, threats, least=1, release=0, stands=None):
+behavior BrakeFor(points, threats, least=2, release=0, stands=None):
     """Brake for one, several, or those that a function gives: a little harder than it takes, with `least` m/s2 or more at
     first, until it takes no more than `release`; with `stands` to a stand, and until it takes no more than that. From then
     on it keeps behind those that drive ahead of it."""
@@ -592,7 +592,7 @@ behavior BrakeFor(points, threats, least=1, release=0, stands=None):
     eased, least = (0.6 * self.speed, least) if stands is None else (0, max(least, 2.5))
     rate = lambda: max(least if self.speed > eased else min(least, 1),
                        min(9 if self.speed > 2 else 4, 1.1 * braking_needed(self, threats)))
-    do Drive(points, 0, rate=rate) until self.speed < slow and braking_needed(self, threats) <= enough
+    do Drive(points, 0, rate=rate) until self.speed < slow and no_closer(self, points, threats, enough)
     self.braked_for = threats
 
 behavior EmergencyStop(points, threats, rate=8):
@@ -604,6 +604,13 @@ behavior EmergencyStop(points, threats, rate=8):
         do Drive(points, 0) for 1 seconds
         do Drive(points, 0) until braking_needed(self, threats) <= 0 and not blocked(self, _those(threats))
     self.braked_for = threats
+
+behavior BrakeTooLate(points, lead, speed, left):
+    """Drive on behind one that comes to a stand, brake when it is too late, and reach it, once it stands, at no more than
+    `left` m/s."""
+    needed = lambda: braking_to_hit_standing(self, lead, left)
+    do Drive(points, speed) until needed() > TOO_LATE
+    do Drive(points, ROLLS_INTO, rate=needed)
 
 behavior YieldTo(points, walkers, speed, rate=3.5, stands=False, room=3):
     """Slow down from `speed` so as to stop `room` m short of those on foot, braking at `rate` m/s2, until they have gone
@@ -923,6 +930,17 @@ def braking_to_hit(car, other, speed):
     rest = max((other.position - car.position).rotatedBy(-car.heading).y - long - 0.2, 0.5)
     return max(0.1, min(8, ((car.speed - own) ** 2 - max(speed - own, 0) ** 2) / (2 * rest)))
 
+def braking_to_hit_standing(car, lead, speed):
+    """The same for one ahead that comes to a stand: where it will stand, and not before it does."""
+    own, rest, braking = lead.speed, gap(car, lead), slowing(lead)
+    if own < 0.3 or braking < 1:
+        return braking_to_hit(car, lead, speed)
+    seconds, rest = own / braking + AFTER_IT, rest + own ** 2 / (2 * braking)
+    at_all, no_sooner = (car.speed ** 2 - speed ** 2) / (2 * rest), 2 * (car.speed * seconds - rest) / seconds ** 2
+    if no_sooner * seconds > car.speed:  # it all but stands before
+        no_sooner = car.speed ** 2 / (2 * max(rest - 1, 0.2))
+    return max(0.1, min(8, max(at_all, no_sooner)))
+
 CLOSE = 2.5  # s behind another within which one brakes as soon as that does
 
 def in_way(points, other, room=1, seconds=0):
@@ -931,6 +949,9 @@ def in_way(points, other, room=1, seconds=0):
     there = shapely.affinity.translate(box, other.velocity.x * seconds, other.velocity.y * seconds)
     return line.distance(box.union(there).convex_hull if seconds else box) < room
 
+TOO_LATE = 4  # m/s2 that it takes when somebody who does not look notices that the one ahead stops
+AFTER_IT = 0.6  # s after that one stands
+ROLLS_INTO = 1.5  # m/s at which it still hits that one
 REACTION_TIME = 0.3  # s from when somebody comes into view to a reaction
 ROLLS = 0.1  # m that one still rolls below the speed at which it counts as standing
 
@@ -1045,6 +1066,7 @@ def turns_round(car, least=0.15):
 # Speeds (m/s) for Drive that depend on another
 
 FALLS_BACK = 3  # m/s by which one is slower than whom it follows too closely
+CALM_BRAKING = 2.5  # m/s2 with which one brakes behind another that slows down
 
 def following_speed(car, lead, speed, headway=1.5, standstill_gap=4, points=None):
     """The speed (m/s) at which `car` follows `lead` at `standstill_gap` m and a time headway (s) more, at most `speed`; not one
@@ -1052,8 +1074,10 @@ def following_speed(car, lead, speed, headway=1.5, standstill_gap=4, points=None
     gently."""
     if lead_on(car, lead) > 0 or points and not in_way(points, lead):
         return speed
-    gap = (distance from car to lead) - (car.length + lead.length) / 2
-    wanted = min(speed, lead.speed + max(-FALLS_BACK, 0.4 * (gap - standstill_gap - headway * lead.speed)))
+    room = (distance from car to lead) - (car.length + lead.length) / 2 - standstill_gap
+    slack = CALM_BRAKING * headway
+    safe = math.sqrt(max(slack ** 2 + lead.speed ** 2 + 2 * CALM_BRAKING * room, 0)) - slack  # so that it can stop behind it
+    wanted = min(speed, max(safe, lead.speed - FALLS_BACK))
     return wanted if wanted > 0.6 or lead.speed > 0.3 and wanted > 0 else 0
 
 def behind_those(car, points, speed):
@@ -1062,10 +1086,22 @@ def behind_those(car, points, speed):
     if clock() <= 0:
         car.braked_for = []
     for other in _those(getattr(car, 'braked_for', [])):
-        beside = along_line(points, other.position)[1] - (car.width + other.width) / 2
-        if beside < 0.8 and math.cos(other.heading - car.heading) > 0.7:
+        if drives_there(car, points, other):
             speed = min(speed, following_speed(car, other, speed, headway=1))
     return speed
+
+def drives_there(car, points, other):
+    """Whether another is on the points of `car`, in its direction."""
+    beside = along_line(points, other.position)[1] - (car.width + other.width) / 2
+    return other is not car and beside < 0.8 and math.cos(other.heading - car.heading) > 0.7
+
+def no_closer(car, points, others, enough):
+    """Whether `car` has braked enough for others: those on its points it can follow from now on, and the rest take no
+    more than so many m/s2."""
+    ahead = [other for other in _those(others) if drives_there(car, points, other)]
+    rest = [other for other in _those(others) if other is not car and other not in ahead]
+    return braking_needed(car, rest) <= enough and braking_needed(car, ahead) <= max(enough, 1) and all(
+        car.speed <= following_speed(car, other, math.inf, headway=1) + 0.3 for other in ahead)
 
 def up_to(rest, speed, rate=2.5):
     """The speed (m/s), at most `speed`, at which one comes to a stand after the rest (m) of its way, braking at `rate`

@@ -10,12 +10,10 @@ from c2s_engine.write.typed.tables import APPROACH_ANGLE, LANE_WIDTH, MOVES_OFF_
 from c2s_engine.write.typed.threats import STANDS, slowed
 from c2s_engine.write.typed.usual import SETS_OUT, crosses
 
+NUDGE = 2.0
+"""m/s that are left at least to one who brakes too late for another that stands."""
 LATE = "clock() > 12"
 """When whoever is to hit another no longer waits for that one to slow down."""
-CLOSE = 0.6
-"""s behind ego: too little for who then does not stop."""
-ROLLS = 1.5
-"""m/s at which one at least rolls into ego that has slowed down behind it."""
 SLOWER = 1.0
 """m/s by which one who is slower than ego falls behind it."""
 SETS_OUT_RATE = 2.0
@@ -95,10 +93,12 @@ def collides(c: Course, p: Phase) -> list[Step]:
     until = slowed(c.actor, p.target)
     if not until:  # nothing else brings it to the other than that it is faster
         c.set(faster)
-    elif goal < c.actor.plan.ego_speed + (SLOWER if until == STANDS else -SLOWER):  # it is only as it rolls into ego
-        behind = c.drive(f"lambda: following_speed(self, {other}, EGO_SPEED, {CLOSE})", 4)
-        rolls = c.drive(f"max(self.speed, {scope.number(ROLLS)})")
-        return [([behind], f"until {until} or {LATE}"), ([rolls], f"until touch(self, {other})"), _stands(c)]
+    elif until == STANDS and c.actor.value > 0:  # it looks up too late
+        comes, slower = c.actor.speed, goal < c.actor.plan.ego_speed - SLOWER  # whose own is that at which it hits ego
+        left = scope.number(min(goal if p.speed is not None or slower else NUDGE, c.actor.value))
+        left = f"{comes} / 3" if p.speed is None and not slower and c.actor.value > 3 * NUDGE else left
+        late = f"do BrakeTooLate(line, {other}, {'EGO_SPEED' if slower else comes}, {left})"
+        return [([late], f"until touch(self, {other})"), _stands(c)]
     return _drives_on(c, other)
 
 

@@ -32,6 +32,10 @@ ROOM = 3.0
 """m between two of them."""
 AT_IT = 1.0
 """m from a vehicle that stands to who steps out at it."""
+ANSWERS = ("follow", "brake", "stop", "overtake")
+"""What one does for another that is ahead of it in its lane."""
+HEADWAY = 2.0
+"""s behind the one for whom it does that."""
 TO_PULL_OUT = 15.0
 """m behind whom one overtakes."""
 
@@ -108,7 +112,9 @@ def _rows(structure: Structure) -> Structure:
     structure = _queued(structure)
     taken: dict[tuple, list[tuple[float, float]]] = {}
     objects = [c for c in structure.objects if isinstance(c.spec, ObjectSpec) and not right_behind(c.spec)]
-    for component in sorted(objects, key=lambda c: (c.spec.placement.gap is None, _comes_later(c.spec))):  # type: ignore
+    answered = [(p.target, _row(c.spec)) for c in objects for p in c.spec.phases if p.action in ANSWERS]  # type: ignore
+    leads = {c.id for c in objects if (c.id, _row(c.spec)) in answered}  # type: ignore[arg-type]
+    for component in sorted(objects, key=lambda c: (c.spec.placement.gap is None, _comes_later(c.spec), c.id in leads)):  # type: ignore
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
         row, size = taken.setdefault(_row(spec), []), row_length(spec)
@@ -123,7 +129,8 @@ def _rows(structure: Structure) -> Structure:
             continue
         start = default_gap(_followed(structure, spec), speed, place)  # type: ignore[arg-type]
         gap = start + _between(component.id, structure, speed)
-        room = TO_PULL_OUT if _comes_later(spec) else ROOM
+        room = max(ROOM, HEADWAY * speed) if component.id in leads else ROOM
+        room = TO_PULL_OUT if _comes_later(spec) else room
         while any(gap < end + room and begin < gap + size + room for begin, end in row):
             gap += 2.0
         row.append((gap, gap + size))

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import lateral, scope, traffic
+from c2s_engine.write.typed.causes import comes
 from c2s_engine.write.typed.collisions import (
     Step,
     backs_into,
@@ -20,7 +21,16 @@ from c2s_engine.write.typed.evasion import goes_round, loses_control, slides_the
 from c2s_engine.write.typed.lanes import pulls_over
 from c2s_engine.write.typed.overtakings import overtakes
 from c2s_engine.write.typed.people import BACKS_OUT, PULLS_OUT
-from c2s_engine.write.typed.tables import AT_REST, LANE_WIDTH, LENGTH, MOVES_OFF_ROAD, RAMP, TURN
+from c2s_engine.write.typed.tables import (
+    AT_REST,
+    LANE_WIDTH,
+    LENGTH,
+    MOVES_OFF_ROAD,
+    RAMP,
+    TURN,
+    is_static,
+    is_vehicle,
+)
 from c2s_engine.write.typed.threats import every, is_hit
 from c2s_engine.write.typed.towards import IN_MIDDLE, ROOM, SHORT, ending, held_for, stops_in_way, yields
 from c2s_engine.write.typed.usual import SETS_OUT, crosses, reach
@@ -136,6 +146,8 @@ def _brake(c: Course, p: Phase) -> list[Step]:
     if (into := brakes_into(c, p)) is not None:
         return into
     rate = middle(p.rate) if p.rate else (6 if _hard(c) else 3)
+    if p.speed is None and p.trigger is None and (lead := _drives_ahead(c, p)):  # to as far behind as one drives
+        return [([c.drive(c.pacing(lead, c.speed), rate)], ending(p, "for 4 seconds"))]
     full = (
         rate >= FULL and not c.actor.is_ego and p is c.actor.spec.phases[-1]
     )  # who slams the brakes on comes to a stand
@@ -146,13 +158,23 @@ def _brake(c: Course, p: Phase) -> list[Step]:
     return [([drive], ending(p, Reached(f"until self.speed < {scope.number(goal + NEAR_SPEED)}")))]
 
 
+def _drives_ahead(c: Course, p: Phase) -> str | None:
+    """For whom one brakes who goes on ahead of it in its lane, or comes there; None: nobody that S names."""
+    cid = p.target or (getattr(c.actor.spec, "react_to", None) if c.actor.is_ego else None)
+    spec = c.other(cid)
+    if spec is None or is_static(spec) or not is_vehicle(spec.type) or spec.placement.facing == "against":
+        return None
+    there = c.actor.plan.lane_of.get(cid or "") == c.lane and c.lane is not None
+    return cid if there and not crosses(spec) or any(q.action == "cut_in" for q in spec.phases) else None
+
+
 def _stop(c: Course, p: Phase) -> list[Step]:
     rate = middle(p.rate) if p.rate else (7 if _hard(c) else 3.5)
     drive = c.drive("0", rate)
     first: Step = ([drive], "until self.speed < 0.2")
     whom = p.target or (p.trigger.of if p.trigger else None)
     crossing = (other := c.other(whom)) is not None and crosses(other)
-    if p.clearance is not None and p.target or crossing and c.actor.is_ego:
+    if p.clearance is not None and p.target or crossing and c.actor.is_ego or comes(c, p):
         room = middle(p.clearance) if p.clearance is not None else ROOM
         late = p.rate or _hard(c) or not crossing
         more = f", room={scope.number(room)}" + (f", rate={scope.number(rate)}" if late else "")

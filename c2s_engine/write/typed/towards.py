@@ -27,6 +27,8 @@ STAYS = {*HOLDS, "yield", "stationary"}
 """What one who has let another pass does that stays where it stands."""
 IN_MIDDLE, SHORT = 4, 1
 """m before another's way at which one waits in the middle of a junction, and stops for one that it then sees."""
+GENTLY = 1.5
+"""m/s2 at which one comes up to a roundabout in which others are."""
 ROOM = 4
 """m before somebody on foot where one stands to let them pass."""
 
@@ -61,12 +63,14 @@ def yields(c: Course, p: Phase) -> list[Step]:
     first = its_turn(c.actor, p.target)
     by = c.other(p.target)
     across = by is not None and by.placement.position == "opposite_approach" and turns_left(c.actor.structure, "E")
-    gone = f"clear_of_ways(self, line, [{other}])" if across and c.actor.is_ego else f"passed({other}, self)"
-    gone += f" and {first}" if first else ""
-    if c.actor.plan.place.kind == "roundabout" and not first:
-        gone += f" or left_ring({other})"
+    rings = c.actor.plan.place.kind == "roundabout" and by is not None
+    all_of = every(c.actor.structure, p.target) if p.target else other
+    if rings:  # whose stop line may be far from it
+        stop = c.drive(f"lambda: short_of_ways(self, line, [{all_of}], {c.speed}, {GENTLY})", 5)
+    gone = f"clear_of_ways(self, line, [{all_of}])" if across and c.actor.is_ego or rings else f"passed({other}, self)"
+    gone += f" and {first}" if first else f" or left_ring({other})" if rings else ""
     before = phases[phases.index(p) - 1].action if p in phases[1:] else ""
-    up = [] if before in STAYS or _waits_there(c, p) else [([c.drive()], near)]
+    up = [] if before in STAYS or rings or _waits_there(c, p) else [([c.drive()], near)]
     return [*up, ([stop], f"until {gone}"), *([] if stays else [go])]
 
 

@@ -27,10 +27,12 @@ from c2s_engine.write.typed.ahead import (
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.lateral import LATERAL, to_line
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, LENGTH, is_static, is_vehicle
-from c2s_engine.write.typed.usual import speed_of
+from c2s_engine.write.typed.usual import default_gap, speed_of
 
 ALIKE = 0.4
 """m by which two gaps are the same."""
+TO_STAND = 6.0
+"""s until ego stands for somebody."""
 LATEST = 12.0
 """s after the start by which two have come as near as is said."""
 SLOWER, FASTER = 0.8, 1.15
@@ -50,7 +52,7 @@ PLAIN = {*CALM, *LATERAL, "brake", "stop", "swerve", "drift", "reverse", "lose_c
 def solved(structure: Structure) -> Structure:
     """S with the speeds, gaps and starts that are open and follow from those that are said; raises ResolveError where
     they do not go together."""
-    structure = joined(gone_round(comes_first(let_by(level_then(clear_ahead(_at_pace(structure)))))))
+    structure = joined(gone_round(comes_first(let_by(level_then(clear_ahead(_late_behind(_at_pace(structure))))))))
     for cid in ("E", *(c.id for c in structure.objects)):
         for i, phase in enumerate(phases_of(structure, cid)):
             if any(p.action not in CALM for p in phases_of(structure, cid)[:i]):
@@ -93,6 +95,24 @@ def _at_pace(structure: Structure) -> Structure:
     return structure
 
 
+def _late_behind(structure: Structure) -> Structure:
+    """Those behind ego that hit it once it stands so far off that a faster one does not come up to it before."""
+    ego, place = structure.ego.spec, structure.place.spec
+    assert isinstance(ego, EgoSpec) and isinstance(place, PlaceSpec)
+    if ego.reaction not in ("brake", "yield") and all(p.action != "stop" for p in ego.phases):
+        return structure
+    own = middle(speed_of(ego, place))
+    for component in structure.objects:
+        spec = component.spec
+        assert isinstance(spec, ObjectSpec)
+        at, faster = spec.placement, middle(speed_of(spec, place)) - own
+        hits = any(p.action == "collide" and p.target in (None, "ego") for p in spec.phases)
+        if (at.position, at.of, at.gap) == ("behind", "ego", None) and hits and faster > ALIKE and _drives(spec):
+            gap = round(default_gap(spec, own, place) + TO_STAND * faster, 1)
+            structure = structure.with_spec(component.id, placement=at.model_copy(update={"gap": gap}))
+    return structure
+
+
 def _pace_for_ego(structure: Structure, ego: EgoSpec) -> float | None:
     if any(p.action == "accelerate" for p in ego.phases[:1]):  # it comes to its speed
         return None
@@ -128,7 +148,8 @@ def _runs_up(spec: ObjectSpec, ego: EgoSpec) -> bool:
     slows = ego.reaction in ("brake", "yield") or {"brake", "stop"} & {p.action for p in ego.phases}
     behind = (spec.placement.position, spec.placement.of) == ("behind", "ego")
     phases = tuple(p for p in spec.phases if p.action != "collide")
-    hits = len(phases) < len(spec.phases) and all(p.speed is None for p in spec.phases)
+    stops = any(p.action == "stop" for p in ego.phases)  # then it still has that speed as it hits ego
+    hits = len(phases) < len(spec.phases) and all(p.speed is None for p in (phases if stops else spec.phases))
     return bool(behind and hits and slows) and _open_pace(spec.model_copy(update={"phases": phases}))
 
 

@@ -4,6 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import ahead, lateral, scope, traffic
+from c2s_engine.write.typed.causes import because
 from c2s_engine.write.typed.collisions import hit_beside, hit_next, too_late
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.evasion import last_moment
@@ -103,6 +104,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     if a.is_ego and phase.action == "stop" and phase.trigger is None and other is not None and crosses(other):
         seen = Trigger(kind="action", of=phase.target, action="cross_road")
         return f"until {watched(a.structure, a.plan, seen, a.cid)}"
+    if not a.is_ego and (cause := because(course, phase)):
+        return cause
     said = phase.trigger is not None or phase.action == "stop" and phase.clearance is not None
     if said or before and before[-1].action == "collide" or held_for(course, phase):
         return ""

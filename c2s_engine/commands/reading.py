@@ -84,7 +84,7 @@ def _pdf(file: Path) -> str:
 
 def _decoded(data: bytes, name: str) -> str:
     if b"\0" in data[:4096]:
-        raise InputError(f"{name} is binary, not text: give a .txt, .md or .pdf file.")
+        raise InputError(f"{name} is binary, not text: give a text file, such as .txt, .md or .scenic, or a .pdf.")
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:

@@ -12,6 +12,7 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.english import NOT_ENGLISH, is_english
 from c2s_engine.interpret.errors import faults
 from c2s_engine.interpret.learned import ReaderError, read_change
+from c2s_engine.interpret.learned.change import SURE
 from c2s_engine.interpret.learned.edits import after as after_edits
 from c2s_engine.interpret.learned.edits import differences
 from c2s_engine.interpret.mentions import mentions, names_ego
@@ -28,6 +29,10 @@ LONGEST_CHANGE = 60
 TALE, ASIDE = 9, 14
 """Words of the shortest text that may be another description, and of the longest sentence that is tried as a change
 though it may be one."""
+DEFINITE = ("the", "this", "that", "these", "those")
+"""Determiners of whom one knows already."""
+OBJECTS = ("pobj", "dobj", "poss")
+"""Dependencies of those to whom something is done, or of whom something is."""
 THEN = " // "
 """What parts a change from its correction, as the model was trained."""
 
@@ -49,6 +54,8 @@ class Turn:
     reply: str = ""
     corrects: bool = False
     """Whether it does what the turn before did otherwise."""
+    guessed: bool = False
+    """Whether the model was not sure of it."""
 
 
 def route(text: str, structure: Structure | None, last: PreviousTurn | None = None) -> Turn:
@@ -68,11 +75,11 @@ def route(text: str, structure: Structure | None, last: PreviousTurn | None = No
             found = _corrected(text, structure, last) or _change(text, structure)
         except ReaderError as error:
             return Turn("edit", reply=f"{error}. S can be changed in its pane, too.")
-        if found is not None:
+        if found is not None and not (found.guessed and _stands_alone(plain)):
             return found
         if kind == "wish":  # put as a question, it is one where it asks for no change
             return Turn("question")
-        if _introduces(plain, structure):
+        if _introduces(plain, structure) or _stands_alone(plain):
             return Turn("scenario")
         return Turn("edit", reply=_not_understood(text))
 
@@ -80,7 +87,9 @@ def route(text: str, structure: Structure | None, last: PreviousTurn | None = No
 def _change(text: str, structure: Structure) -> Turn | None:
     """The change that a text asks for; None where it asks for none. Raises ReaderError."""
     found = read_change(text, structure)
-    return Turn("edit", list(found.edits), found.words) if found is not None and found.edits else None
+    if found is None or not found.edits:
+        return None
+    return Turn("edit", list(found.edits), found.words, guessed=found.likely < SURE)
 
 
 def _corrected(text: str, structure: Structure, last: PreviousTurn | None) -> Turn | None:
@@ -163,6 +172,22 @@ def _tells(plain: str, structure: Structure) -> bool:
         return False
     main = (t for t in parser()(plain) if t.dep_ in ("nsubj", "nsubjpass") and t.head.dep_ in ("ROOT", "conj", "ccomp"))
     return len(sentences(plain)) > 1 or any(names_ego(t.text) for t in main)
+
+
+def _stands_alone(plain: str) -> bool:
+    """Whether a text tells of ego and others as nobody does of whom another knows: with no definite noun for somebody
+    who was not spoken of before, and as no command."""
+    if len(plain.split()) < TALE or re.search(_table()["commands"], plain):
+        return False
+    words, named = parser()(plain), mentions(plain)
+    if not named or not any(names_ego(t.text) and t.dep_ not in OBJECTS for t in words):
+        return False
+    for number, m in enumerate(named):
+        span = words.char_span(m.start, m.end, alignment_mode="expand")
+        known = span is not None and any(t.dep_ == "poss" or t.lower_ in DEFINITE for t in span.root.children)
+        if known and not any({m.type, n.type} & {"vehicle"} or m.type == n.type for n in named[:number]):
+            return False
+    return True
 
 
 def _not_understood(text: str) -> str:

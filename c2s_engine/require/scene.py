@@ -7,7 +7,7 @@ import yaml
 
 from c2s_engine import paths
 from c2s_engine.require.paces import speed_at
-from c2s_engine.structure.components import FITTED, Component, Structure
+from c2s_engine.structure.components import FITTED, READ, Component, Structure
 from c2s_engine.structure.facts import EGO, called, component_of
 from c2s_engine.structure.quantity import Range, high, low
 from c2s_engine.structure.requirements import Kind, Requirement, Value
@@ -75,7 +75,7 @@ class Scene:
 
     def stated(self, component: str, field: str) -> bool:
         """Whether the text says it: S may have assumed it."""
-        return all(a.field != field or a.by == FITTED for a in self.structure[component].assumed)
+        return all(a.field != field or a.by in (FITTED, READ) for a in self.structure[component].assumed)
 
     def speed(self, actor: str, said: EgoSpec | ObjectSpec | Phase, path: str) -> Range | None:
         """The speed (m/s) that S says in a number or in a word, from and to; None: it says none."""

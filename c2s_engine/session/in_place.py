@@ -15,7 +15,7 @@ from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.structure.program import assemble
 from c2s_engine.structure.progress import ComponentState, ProgramChanged, Progress, Say
 from c2s_engine.structure.quantity import ends
-from c2s_engine.structure.sentences import sentence, with_sentence
+from c2s_engine.structure.sentences import says_its_spec, sentence, with_sentence
 from c2s_engine.structure.specs import SettingsSpec
 from c2s_engine.write import by_hand
 from c2s_engine.write.in_place import (
@@ -276,7 +276,7 @@ class _Work:
 
 def _told_anew(structure: Structure, component: Component, spec: Any) -> str:
     """The sentence of an object whose spec is another; one that was not made from the spec stays."""
-    if component.description != sentence(component, structure):
+    if not says_its_spec(component, structure):
         return component.description
     return sentence(component.model_copy(update={"spec": spec}), structure)
 

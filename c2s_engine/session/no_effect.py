@@ -4,7 +4,8 @@ import re
 from collections.abc import Sequence
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.learned.account import numbers_of, said_words, same, values_of
+from c2s_engine.interpret.learned.account import absent, numbers_of, said_words, same, values_of
+from c2s_engine.interpret.learned.relative import relative_amounts
 from c2s_engine.interpret.learned.units import ONES, quantities
 from c2s_engine.interpret.mentions import mentions
 from c2s_engine.session.reader import phrases
@@ -36,6 +37,8 @@ async def without_effect(
     rests = [li.span for c in structure.components for li in c.links if li.span and li.field] if own else []
     said = frozenset(s for c in structure.components for s in (*stems(_told(c, structure)), *said_words(c, structure)))
     said |= _of_fields(structure, before)
+    if before is not None and (gone := _is_less(before, structure)):
+        said |= {s for c in before.components for s in (*stems(_told(c, before)), *said_words(c, before))}
     nobody = SMALL | stems(" ".join((*language.table("trade")["again"], *ONES, *_nouns(text, structure))))
     nobody |= frozenset() if own else stems(" ".join(language.table("trade")["asks"]))
     found: list[Span] = []
@@ -44,6 +47,12 @@ async def without_effect(
         words = {word for word in stems(text[begin:end]) - nobody if len(word) > 1}  # no units
         if words and not words & said and not meets((begin, end), *rests, *known, *found):
             found.append((begin, end))
+    if before is not None:
+        there, new = types(structure) | types(before), types(structure) - types(before)
+        becomes = [(n.start, n.end) for n in mentions(text) if any(map(n.fits, new))]
+        found = [span for span in found if not meets(span, *becomes)]
+        found += [span for span in absent(mentions(text), there) if not meets(span, *found)]
+        found += [span for span in ([] if gone else _removals(text)) if not meets(span, *found)]
     if not own:
         found += [span for span in _amounts(text, structure) if not meets(span, *found)]
     return tuple(Unmet(text=text[a:b].strip(" ,;.\n"), reason=REASON, span=(a, b)) for a, b in sorted(found))
@@ -61,13 +70,25 @@ def _of_fields(structure: Structure, before: Structure | None) -> frozenset[str]
     return frozenset(found)
 
 
+def _is_less(before: Structure, structure: Structure) -> bool:
+    """Whether a change took something away: an object, a phase, or what a field said."""
+    was, now = ({(c.id, path) for c in s.components for path, _ in values_of(c.spec.model_dump(exclude_defaults=True))}
+                for s in (before, structure))  # fmt: skip
+    return bool(was - now)
+
+
+def _removals(text: str) -> list[Span]:
+    """Where a text asks that something be removed."""
+    verbs = "|".join(language.table("trade")["removes"])
+    return [m.span() for m in re.finditer(rf"\b(?:{verbs})\b[^,.;]*?(?=[,.;]|\s+and\b|$)", text, re.IGNORECASE)]
+
+
 def _amounts(text: str, structure: Structure) -> list[Span]:
     """Where quantities stand in a change that no field of S has; one by how much something changes is in none."""
-    relative = language.table("trade")["relative"]
+    relative = [span for span, _, _, _ in relative_amounts(text)]
     held = [number for _, _, number in numbers_of(structure)]
-    return [(a, b) for (a, b), value, _ in quantities(text)
-            if not set(text[:a].lower().split()[-1:] + text[b:].lower().split()[:1]) & set(relative)
-            and not any(same(number, value) for number in held)]  # fmt: skip
+    return [span for span, value, _ in quantities(text)
+            if span not in relative and not any(same(number, value) for number in held)]  # fmt: skip
 
 
 def _nouns(text: str, structure: Structure) -> list[str]:

@@ -2,7 +2,7 @@
 
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import Quantity, in_words
-from c2s_engine.structure.sentences import sentence
+from c2s_engine.structure.sentences import says_its_spec, with_own_sentence
 from c2s_engine.structure.specs import AnySpec, EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.structure.vocabulary import TOWARDS_EGO
 
@@ -74,9 +74,7 @@ def _words(spec: ObjectSpec) -> str:
 
 def _with(structure: Structure, component: Component, spec: AnySpec) -> Structure:
     """The structure with another spec of a component, and its sentence of that where it was the spec's."""
-    own = component.description == sentence(component, structure)
+    follows = says_its_spec(component, structure)
     changed = component.model_copy(update={"spec": spec})
     structure = structure.with_component(changed)
-    if not own:
-        return structure
-    return structure.with_component(changed.model_copy(update={"description": sentence(changed, structure)}))
+    return structure.with_component(with_own_sentence(changed, structure)) if follows else structure

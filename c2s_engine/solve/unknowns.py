@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Iterator, Sequence
 from dataclasses import dataclass
 
-from c2s_engine.structure.components import FITTED, Assumption, Component, ComponentId, Structure
+from c2s_engine.structure.components import FITTED, READ, Assumption, Component, ComponentId, Structure
 from c2s_engine.structure.edits import EditError, SetField, apply
 from c2s_engine.structure.leaves import value_at
 from c2s_engine.structure.quantity import Quantity, in_words, middle
@@ -18,7 +18,9 @@ from c2s_engine.write.typed.watching import METRES, SECONDS
 PLANNER = "planner"
 """Who chose, in `assumed`."""
 REASON = "left open: chosen so that the run shows what is described"
-BY_OTHERS = ("wait", "stationary", "cross_road", "yield", "follow", "go_straight", "turn_left", "turn_right")
+BY_OTHERS = (
+    "wait", "stationary", "cross_road", "yield", "follow", "go_straight", "turn_left", "turn_right", "collide"
+)  # fmt: skip
 """First phases whose moment follows from where others are or from the place, or that have none."""
 STANDS_FOR = 3.0
 """s for which one waits first, where nothing says how long."""
@@ -144,7 +146,7 @@ def chosen(structure: Structure, unknown: Unknown, value: Quantity, reason: str 
 
 def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator[Unknown]:
     spec, cid = component.spec, component.id
-    assumed = {a.field for a in component.assumed if a.by != FITTED}
+    assumed = {a.field for a in component.assumed if a.by not in (FITTED, READ)}
 
     def is_open(path: str, value: object) -> bool:
         return value is None or path in assumed or (cid, path) in freed
@@ -164,7 +166,8 @@ def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator
             hits = any(p.action == "collide" and (p.speed is not None or p.pace) for p in spec.phases[i + 1 : i + 2])
             yield from _nearnesses(cid, i, phase, is_open)
             if phase.action != "accelerate" or not hits:  # that says how fast it is by then
-                own = _of_phase(cid, i, phase, speed, untimed, is_open)
+                reacts = getattr(spec, "reaction", "none") != "none"
+                own = _of_phase(cid, i, phase, speed, untimed, reacts, is_open)
                 yield from (u for u in own if not (by_contact and u.path.endswith("rate")))
     if isinstance(spec, ObjectSpec) and cid in usual.gaps and is_open("placement.gap", spec.placement.gap):
         follows = spec.placement.position in ("ahead", "behind") and spec.placement.facing != "against"
@@ -197,11 +200,12 @@ def _nearnesses(cid: ComponentId, i: int, phase: Phase, is_open: Callable[[str, 
             yield Unknown(cid, f"phases.{i}.{name}.value", value)
 
 
-def _of_phase(cid: ComponentId, i: int, phase: Phase, speed: float, untimed: bool,
+def _of_phase(cid: ComponentId, i: int, phase: Phase, speed: float, untimed: bool, reacts: bool,
               is_open: Callable[[str, object], bool]) -> Iterator[Unknown]:  # fmt: skip
     path = f"phases.{i}"
     moves = speed > 0 or phase.action in ("enter_road", "start", "reverse")
-    if i == 0 and untimed and moves and phase.action not in BY_OTHERS:
+    answers = phase.action in ("brake", "stop") and (phase.target is not None or reacts and phase.speed is None)
+    if i == 0 and untimed and moves and phase.action not in BY_OTHERS and not answers:
         value = middle(phase.trigger.value) if phase.trigger and phase.trigger.value is not None else 3.0
         yield Unknown(cid, f"{path}.trigger", value)
     if i == 0 and phase.action == "wait" and untimed and is_open(f"{path}.duration", phase.duration):

@@ -35,6 +35,10 @@ class Link(Frozen):
     field: str = Field("", description="the field of the component's spec that the words became, where that is known")
 
 
+READ = "reader"
+"""Who decided, in `assumed`, where the text says it and the reader is not certain of it."""
+WORDS = "words"
+"""The same, where a word of the text ("hard") stands for a usual number."""
 FITTED = "place"
 """By whom a value is assumed that was said and does not fit the place: the new one counts as said."""
 
@@ -74,6 +78,7 @@ class Component(Frozen):
 
     id: ComponentId
     description: str = ""
+    generated: bool = Field(False, description="whether the description is made from the spec")
     spec: AnySpec
     code: str = ""
     origin: Origin = "rendered"

@@ -156,7 +156,7 @@ def _placed_by(component: Component) -> set[str]:
 def _changed(component: Component, edit: SetDescription | SetSpec | SetField | SetCode) -> Component:
     if isinstance(edit, SetDescription):
         noted = {} if edit.unmet is None else {"unmet": edit.unmet}
-        return component.model_copy(update={"description": edit.description, **noted})
+        return component.model_copy(update={"description": edit.description, "generated": False, **noted})
     if isinstance(edit, SetCode):
         if edit.code is None:
             return component.model_copy(
@@ -168,13 +168,14 @@ def _changed(component: Component, edit: SetDescription | SetSpec | SetField | S
     if isinstance(edit, SetSpec):
         if edit.spec.component != component.kind:
             raise EditError(f"a spec of {edit.spec.component} does not fit {component.id}")
-        update: dict[str, Any] = {"spec": edit.spec}
+        worded = edit.description is None or edit.description == component.description
+        update: dict[str, Any] = {"spec": edit.spec, "generated": component.generated and worded}
         for name in ("description", "assumed", "unmet"):
             if getattr(edit, name) is not None:
                 update[name] = getattr(edit, name)
         return component.model_copy(update=update)
     if edit.path == "description":
-        return component.model_copy(update={"description": str(edit.value)})
+        return component.model_copy(update={"description": str(edit.value), "generated": False})
     data = component.spec.model_dump(mode="json")
     _put(data, edit.path.split("."), edit.value, edit.path)
     if edit.path == "type" and edit.value != getattr(component.spec, "type", None) and "model" in data:
@@ -217,8 +218,15 @@ def _put(data: Any, path: list[str], value: Any, whole: str) -> None:
             data[key] = {}
         _put(data[key], path[1:], value, whole)
     except (KeyError, IndexError, TypeError):
-        known = ", ".join(data) if isinstance(data, dict) else f"0 to {len(data)}" if isinstance(data, list) else "none"
+        known = f"0 to {len(data)}" if isinstance(data, list) else "none"
+        known = ", ".join(_names(data)) if isinstance(data, dict) else known
         raise EditError(f"there is no field {whole}: {path[0]} is not one of {known}") from None
+
+
+def _names(data: dict[str, Any]) -> list[str]:
+    """The fields of a spec as one names them, those of its parts by their paths."""
+    inner = [f"{name}.{key}" for name, value in data.items() if isinstance(value, dict) for key in value]
+    return [*(name for name in data if name != "component" and not isinstance(data[name], dict)), *inner]
 
 
 def references(component: Component) -> frozenset[ComponentId]:

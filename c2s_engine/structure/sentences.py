@@ -279,10 +279,18 @@ def restrictions(spec: RestrictionsSpec, names: dict[str, str] | None = None) ->
 def described(structure: Structure) -> Structure:
     """S with a sentence for each component, from its spec."""
     for component in structure.components:
-        structure = structure.with_component(
-            component.model_copy(update={"description": sentence(component, structure)})
-        )
+        structure = structure.with_component(with_own_sentence(component, structure))
     return structure
+
+
+def with_own_sentence(component: Component, structure: Structure) -> Component:
+    """A component with the sentence that its spec makes."""
+    return component.model_copy(update={"description": sentence(component, structure), "generated": True})
+
+
+def says_its_spec(component: Component, structure: Structure) -> bool:
+    """Whether a component's sentence was made from its spec: it is to follow that."""
+    return component.generated or component.description == sentence(component, structure)
 
 
 def sentence(component: Component, structure: Structure) -> str:
@@ -305,9 +313,8 @@ def with_sentence(before: Structure, after: Structure, cid: str) -> Component:
     """A component of S after a change, its sentence saying what its spec does now, if it did before; the comment that
     borders its code says the sentence, if it did."""
     component, was = after[cid], before[cid].description
-    own = component.description != was or was != sentence(before[cid], before)
-    now = component.description if own else sentence(component, after)
-    told = component.model_copy(update={"description": now})
+    follows = component.description == was and says_its_spec(before[cid], before)
+    told = with_own_sentence(component, after) if follows else component
     line, code = parted(component.code)
     if line.rstrip() == border(before[cid]):
         told = told.model_copy(update={"code": f"{border(told)}\n{code}"})
@@ -319,7 +326,7 @@ def with_updated_sentences(before: Structure, after: Structure) -> Structure:
     own stays."""
     for was in (c for c in before.components if c.id in after):
         component = after[was.id]
-        if component.description == was.description == sentence(was, before):
-            now = sentence(component, after)
-            after = after.with_component(component.model_copy(update={"description": now}))
+        follows = component.description == was.description and says_its_spec(was, before)
+        if follows and sentence(component, after) != sentence(was, before):
+            after = after.with_component(with_own_sentence(component, after))
     return after

@@ -8,13 +8,15 @@ import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
-from c2s_engine.interpret.learned import Answer, read_change
+from c2s_engine.interpret.learned import Answer, ReaderError, read_change, reading
 from c2s_engine.interpret.learned.change import changed_structure, in_words, prompt, stranger
 from c2s_engine.interpret.learned.edits import after, differences
 from c2s_engine.interpret.learned.notation import parse
 from c2s_engine.interpret.learned.reader import structure_of
 from c2s_engine.structure.components import Assumption
-from c2s_engine.structure.edits import SetField, apply
+from c2s_engine.structure.edits import SetDescription, SetField, apply
+from c2s_engine.structure.leaves import value_at
+from c2s_engine.structure.sentences import sentence
 
 TEXT = "Ego at 50 km/h; a van in the left lane, 12 m ahead, moves over to the right."
 SAID = "R: road\nE: car speed=50km/h\nO1: van at=left_lane along=ahead gap=12m ; cut_in side=right"
@@ -102,3 +104,62 @@ def test_differences_lead_from_one_s_to_the_other(lines):
 def test_who_is_named_and_not_there_is_not_taken_for_another(scene, text, who):
     edits = differences(scene, changed_structure(scene, ["O1: ; brake"]))
     assert stranger(text, edits, scene) == who
+
+
+@pytest.mark.parametrize(("text", "line", "path", "value"), [
+    ("put the van 5 m closer", "O1: gap=17m", "placement.gap", 7.0),
+    ("5 m further away", "O1: gap=5m", "placement.gap", 17.0),
+    ("ego drives 10 km/h slower", "E: speed=10km/h", "speed", 11.111),
+    ("reduce its gap by 2 m", "O1: gap=2m", "placement.gap", 10.0),
+    ("the gap is 5 m", "O1: gap=5m", "placement.gap", 5.0), ("12 m closer", "O1: gap=24m", "placement.gap", None),
+])  # fmt: skip
+def test_by_how_much_is_counted_from_what_it_was(scene, text, line, path, value, monkeypatch):
+    class Says:
+        def answer(self, asked):
+            return Answer(line, 1, 1, ((line, -0.1),))
+
+    monkeypatch.setattr("c2s_engine.interpret.learned.change.loaded", Says)
+    if value is None:
+        with pytest.raises(ReaderError, match="O1's gap is 12 m, which cannot become so much less"):
+            read_change(text, scene)
+        return
+    changed = after(scene, read_change(text, scene).edits)[line[: line.index(":")]]
+    assert value_at(changed.spec, path) == pytest.approx(value, abs=0.01)
+    assert changed.description == sentence(changed, scene)
+
+
+@pytest.mark.parametrize(("line", "speeds"), [
+    ("E: speed=10km/h\nO1: speed=99km/h", (40, 50)), ("E: speed=10km/h\nO1: gap=3m", None), ("O1: speed=20km/h", None),
+])  # fmt: skip
+def test_two_amounts_are_counted_for_those_who_are_named_before_them(scene, line, speeds, monkeypatch):
+    class Says:
+        def answer(self, asked):
+            return Answer(line, 1, 1, ((line, -0.1),))
+
+    monkeypatch.setattr("c2s_engine.interpret.learned.change.loaded", Says)
+    known = after(scene, [SetField(component="O1", path="speed", value=30 / 3.6)])
+    text = "the van drives 20 km/h faster and ego 10 km/h slower"
+    if speeds is None:
+        with pytest.raises(ReaderError, match="name one field at a time"):
+            read_change(text, known)
+        return
+    found = after(known, read_change(text, known).edits)
+    assert [round(found[cid].spec.speed * 3.6) for cid in ("E", "O1")] == list(speeds)
+
+
+def test_nothing_is_counted_from_what_is_left_open(scene, monkeypatch):
+    class Says:
+        def answer(self, asked):
+            return Answer("O1: speed=20km/h", 1, 1, (("O1: speed=20km/h", -0.1),))
+
+    monkeypatch.setattr("c2s_engine.interpret.learned.change.loaded", Says)
+    with pytest.raises(ReaderError, match="O1's speed is left open"):
+        read_change("the van drives 20 km/h faster", scene)
+
+
+def test_a_sentence_follows_its_fields_however_it_came_to_them():
+    scene = reading("E: car\nO1: car at=ahead gap=40m ; brake", "A car 40 m ahead of ego brakes hard.")
+    changed = changed_structure(scene, ["O1: gap=25m"])
+    assert "25 m" in changed["O1"].description and "brakes hard" in changed["O1"].description
+    own = apply(scene, SetDescription(component="O1", description="Somebody ahead, 40 m off, in a hurry."))
+    assert changed_structure(own, ["O1: gap=25m"])["O1"].description == own["O1"].description

@@ -126,7 +126,7 @@ O1: van at=ahead ; brake"""
     assert found is not None and found.settings.spec == settings
     braking = found["O1"].spec.phases[0]
     assert braking.action == "brake" and braking.rate == 6.0, "hard"
-    assert [(a.field, a.by) for a in found["O1"].assumed] == [("phases.0.rate", "reader")]
+    assert [(a.field, a.by) for a in found["O1"].assumed] == [("phases.0.rate", "words")]
 
 
 def test_night_that_the_model_passes_over_is_found():

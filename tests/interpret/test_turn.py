@@ -74,3 +74,18 @@ def test_where_the_model_cannot_be_asked_that_is_said(monkeypatch: pytest.Monkey
 
 def test_what_the_planner_chose_is_not_shown_to_the_model() -> None:
     assert prompt(SCENE, "the van\nis a truck").endswith("> the van is a truck")
+
+
+@pytest.mark.parametrize(("text", "kind"), [
+    ("A child runs out between two parked cars on the right, and ego brakes hard for it.", "scenario"),
+    ("The child runs out between two parked cars on the right, and ego brakes hard for it.", "edit"),
+])  # fmt: skip
+def test_a_scene_of_its_own_is_no_change_of_which_the_model_is_not_sure(
+    monkeypatch: pytest.MonkeyPatch, text: str, kind: str
+) -> None:
+    class Guesses:
+        def answer(self, asked: str) -> Answer:
+            return Answer("O2: ; cross_road ; stop", 1, 1, (("O2", -0.9),))
+
+    monkeypatch.setattr("c2s_engine.interpret.learned.change.loaded", Guesses)
+    assert route(text, SCENE).kind == kind

@@ -54,11 +54,15 @@ async def test_of_a_change_what_s_does_not_say_after_it(engine):
         ("add a car 5 m closer behind ego", "+O2: car at=behind gap=5m", []),
         ("make the car a van and let ego drive 35 km/h", "O1: van", ["35 km/h"]),
         ("put the car 5 m closer", "O1: gap=20m", []),
+        ("remove the car", "-O1", []),
+        ("add a van behind ego and remove the braking", "+O2: van at=behind", ["remove the braking"]),
+        ("add a van behind ego and remove the braking", "O1: ;\n+O2: van at=behind", []),
+        ("remove the car and add a bus that turns left in front of ego", "-O1", ["bus"]),
     ],
 )
 async def test_of_a_change_the_fields_that_it_changed_say_it_and_no_others(engine, text, line, lost):
     before = reading(BRAKES, "Ego drives at 50 km/h. A car ahead brakes.")
-    after = changed_structure(before, [line])
+    after = changed_structure(before, line.splitlines())
     assert [u.text for u in await engine.without_effect(text, after, before)] == lost
 
 

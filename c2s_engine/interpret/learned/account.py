@@ -9,7 +9,7 @@ component has a word, are not understood.
 import math
 import re
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import cache
 from typing import Any
 
@@ -56,8 +56,7 @@ def accounted(structure: Structure, settings: Settings, left_out: Sequence[str] 
     links: dict[str, list[Link]] = defaultdict(list)
     for cid, field, found in settings.found():
         links[cid].append(_link(text, found.span, field))
-    said = frozenset(word for own in terms.values() for word, field in own.items() if field)
-    missed = [*_phrases(text, left_out, said), *_values(structure, numbers), *_absent(structure, nouns)]
+    missed = [*_phrases(structure, left_out), *_values(structure, numbers), *_absent(structure, nouns)]
     background: list[Unmet] = []
     last = "R"
     for clause in covering(text):
@@ -177,21 +176,39 @@ def _values(structure: Structure, numbers: Sequence[Number]) -> Iterator[Unmet]:
 
 def _absent(structure: Structure, nouns: Sequence[Mention]) -> Iterator[Unmet]:
     """The vehicles and animals that the text names and that nobody of S can be."""
-    there = types(structure)
+    for span in absent(nouns, types(structure)):
+        yield Unmet(text=structure.text[slice(*span)], reason=NO_OBJECT, span=span)
+
+
+def absent(nouns: Sequence[Mention], there: Collection[str]) -> Iterator[Span]:
+    """Where vehicles and animals are named that nobody of such types can be."""
     for noun in nouns:
-        known = any(noun.fits(kind) for kind in there) or there & set(KIN.get(noun.type, "").split())
+        known = any(noun.fits(kind) for kind in there) or set(there) & set(KIN.get(noun.type, "").split())
         if noun.type in WHEELED and not known:
-            words = structure.text[noun.start : noun.end]
-            yield Unmet(text=words, reason=NO_OBJECT, span=(noun.start, noun.end))
+            yield noun.start, noun.end
 
 
-def _phrases(text: str, left_out: Sequence[str], said: frozenset[str]) -> Iterator[Unmet]:
-    """What was said to be left out, but for phrases of which fields have every word (`said`)."""
+def _phrases(structure: Structure, left_out: Sequence[str]) -> Iterator[Unmet]:
+    """What was said to be left out, but for what S does say."""
     for phrase in left_out:
-        found = re.search(r"\s+".join(map(re.escape, phrase.split())), text, re.IGNORECASE)
-        own = {stem(word) for word in _WORD.findall(phrase.lower())} - _small_stems()
-        if found and not (own and own <= said):
+        found = re.search(r"\s+".join(map(re.escape, phrase.split())), structure.text, re.IGNORECASE)
+        if found and not is_said(phrase, structure):
             yield Unmet(text=found[0], reason=UNSAID, span=found.span())
+
+
+def is_said(phrase: str, structure: Structure) -> bool:
+    """Whether fields of S have every word and every amount of a phrase."""
+    plain, numbers = normalised(phrase), numbers_of(structure)
+    amounts = quantities(plain)
+    if not all(any(same(held, value) for _, _, held in numbers) for _, value, _ in amounts):
+        return False
+    said = {word for c in structure.components for word, field in said_words(c, structure).items() if field}
+    for name in {path.rsplit(".", 1)[-1] for _, path, _ in numbers}:
+        said |= {stem(word) for word in (name, *language.table("trade")["fields"].get(name, ()))}
+    for (start, end), _, _ in reversed(amounts):
+        plain = plain[:start] + " " + plain[end:]
+    own = {stem(word) for word in _WORD.findall(plain)} - _small_stems()
+    return bool(own or amounts) and own <= said
 
 
 def _topic(clause: str, named: bool) -> str:

@@ -17,18 +17,19 @@ from copy import deepcopy
 from dataclasses import dataclass
 from typing import Any
 
-from c2s_engine.interpret.learned.decoder import loaded
+from c2s_engine.interpret.learned.decoder import ReaderError, loaded
 from c2s_engine.interpret.learned.edits import differences, removal_edits, worded
 from c2s_engine.interpret.learned.notation import NONE, PLACEMENT, Components, parse, short
 from c2s_engine.interpret.learned.quantities import si
 from c2s_engine.interpret.learned.reader import component_of_data
+from c2s_engine.interpret.learned.relative import Uncountable, counted
 from c2s_engine.interpret.learned.units import rooms_in_seconds, with_units
 from c2s_engine.interpret.mentions import mentions
 from c2s_engine.interpret.text import normalised
-from c2s_engine.structure.components import Component, Structure
+from c2s_engine.structure.components import READ, WORDS, Component, Structure
 from c2s_engine.structure.edits import AddObject, Edit, EditError, SetField, apply
 from c2s_engine.structure.objects import distinct_names
-from c2s_engine.structure.sentences import sentence, with_updated_sentences
+from c2s_engine.structure.sentences import with_own_sentence, with_updated_sentences
 from c2s_engine.structure.specs import ObjectSpec, Spec
 
 TYPED = "\n> "
@@ -74,7 +75,9 @@ def read_change(text: str, structure: Structure) -> Change | None:
     if lines == [NONE]:
         return Change((), "", likely)
     try:
-        after = changed_structure(structure, lines)
+        after = counted(text, structure, changed_structure(structure, lines))
+    except Uncountable as error:
+        raise ReaderError(str(error)) from None
     except ValueError:
         return None
     edits = tuple(differences(structure, after))
@@ -129,7 +132,7 @@ def changed_structure(structure: Structure, lines: Sequence[str]) -> Structure:
             found = found.model_copy(update={"objects": (*found.objects, made)})
     found = distinct_names(found)
     for added in (c for c in found.objects if c.id not in structure):
-        found = found.with_component(added.model_copy(update={"description": sentence(added, found)}))
+        found = found.with_component(with_own_sentence(added, found))
     if missing := [cid for cid in gone if cid not in found]:
         raise ValueError(f"-{missing[0]}: there is no {missing[0]}")
     for edit in removal_edits([found[cid] for cid in gone], found):
@@ -180,7 +183,7 @@ def _set(cid: str, path: str, was: Spec, now: Spec) -> Iterator[Edit]:
 def _said(structure: Structure) -> Structure:
     """S without what was only assumed for it to run."""
     for component in structure.components:
-        for field in (a.field for a in component.assumed if a.by != "reader"):
+        for field in (a.field for a in component.assumed if a.by not in (READ, WORDS)):
             with suppress(EditError):  # a field that cannot be left open stays
                 structure = apply(structure, SetField(component=component.id, path=field, value=None))
     return structure

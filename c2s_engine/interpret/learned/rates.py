@@ -5,7 +5,8 @@ from itertools import takewhile
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.structure.components import Assumption, Component, Structure
+from c2s_engine.interpret.learned.account import is_said
+from c2s_engine.structure.components import WORDS, Assumption, Component, Structure, Unmet
 
 NEAR = 3
 """Words between the verb and what says how hard it is done."""
@@ -23,12 +24,19 @@ def with_rates(structure: Structure) -> Structure:
             if row is not None:
                 phases[number] = phase.model_copy(update={"rate": row["rate"]})
                 note = Assumption(field=f"phases.{number}.rate", value=f"{row['rate']:g} m/s2", reason=row["reason"],
-                                  by="reader")  # fmt: skip
+                                  by=WORDS)  # fmt: skip
                 now = structure.with_spec(component.id, phases=tuple(phases))[component.id]
                 structure = structure.with_component(now.model_copy(update={"assumed": (*now.assumed, note)}))
-                missed = tuple(u for u in structure.not_understood if u.span != word)
+                missed = tuple(u for u in structure.not_understood if not _is_said(u, word, structure))
                 structure = structure.model_copy(update={"not_understood": missed})
     return structure
+
+
+def _is_said(unmet: Unmet, word: tuple[int, int], structure: Structure) -> bool:
+    """Whether a phrase that counts as not understood is this word, and what S says besides."""
+    start, end = unmet.span or (0, 0)
+    rest = structure.text[start : word[0]] + " " + structure.text[word[1] : end]
+    return start <= word[0] and word[1] <= end and (not rest.strip() or is_said(rest, structure))
 
 
 def _said(text: str, component: Component, number: int) -> tuple[tuple[int, int], Any]:

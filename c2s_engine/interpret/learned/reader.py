@@ -20,11 +20,11 @@ from c2s_engine.interpret.learned.decoder import Answer, ReaderError, loaded
 from c2s_engine.interpret.learned.notation import Components, left_out, parse
 from c2s_engine.interpret.learned.quantities import si, unit_of
 from c2s_engine.interpret.learned.rates import with_rates
-from c2s_engine.interpret.learned.units import rooms_in_seconds
+from c2s_engine.interpret.learned.units import quantities, rooms_in_seconds
 from c2s_engine.interpret.mentions import mentions, names_ego
 from c2s_engine.interpret.settings import Settings, detect
 from c2s_engine.structure.account import is_set
-from c2s_engine.structure.components import Assumption, Component, Link, Structure, Unmet, field_words
+from c2s_engine.structure.components import READ, Assumption, Component, Link, Structure, Unmet, field_words
 from c2s_engine.structure.edits import SPEC_ADAPTER
 from c2s_engine.structure.leaves import value_at
 from c2s_engine.structure.objects import distinct_names, in_order
@@ -99,7 +99,7 @@ def learned(text: str) -> Read:
 
 def _of_the_road(text: str) -> bool:
     """Whether a text has a word that only scenes of the road have, or names two who may be in one; if short, one."""
-    if _words(text) & set(language.table("trade")["road"]):
+    if _words(text) & set(language.table("trade")["road"]) or any(unit == "m/s" for _, _, unit in quantities(text)):
         return True
     named = len(mentions(text)) + names_ego(text)
     return named > 1 or named == 1 and len(text.split()) <= FEW
@@ -125,7 +125,7 @@ def with_guesses(structure: Structure, answer: Answer) -> tuple[Structure, list[
         if likely >= CERTAIN or cid not in structure or not is_set(structure[cid].spec, path):
             continue
         value = value_in_words(path, value_at(structure[cid].spec, path))
-        note = Assumption(field=path, value=value, reason=GUESSED.format(likely), by="reader")
+        note = Assumption(field=path, value=value, reason=GUESSED.format(likely), by=READ)
         component = structure[cid]
         structure = structure.with_component(component.model_copy(update={"assumed": (*component.assumed, note)}))
         said.append(f"{cid}'s {field_words(path)} ({value})")
@@ -141,7 +141,7 @@ def reading(answer: str, text: str, named: tuple[int, int] | None = None) -> Str
     settings = detect(text)
     structure = described(_with_settings(structure_of(components, text), settings))
     if named is None:
-        return with_rates(accounted(structure, settings, left_out(answer)))
+        return described(with_rates(accounted(structure, settings, left_out(answer))))
     link = Link(kind="text", label=text[slice(*named)], span=named)
     for component in structure.components:
         structure = structure.with_component(component.model_copy(update={"links": (link,)}))

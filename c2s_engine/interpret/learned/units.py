@@ -43,6 +43,12 @@ def quantities(text: str) -> list[tuple[tuple[int, int], float, str]]:
     return found
 
 
+def unit_of_field(path: str) -> str:
+    """The SI unit of the number at a path; "" where that depends on what is beside it."""
+    name = path.rsplit(".", 1)[-1]
+    return "" if name in ("value", "minimum", "maximum", *NOT_MEASURED) or name.isdigit() else OF_FIELD.get(name, "m")
+
+
 def _told(text: str) -> list[str]:
     """The quantities of a text, as "30 mph"."""
     return [f"{number} {unit}" for _, number, unit in _written(text)]

@@ -9,13 +9,14 @@ SAMPLE = "At night in the rain the ego follows a truck on a straight road at 50 
 
 .PHONY: run test test-full nightly lint bench bench-check bench-dryrun bench-interpret bench-retrieval bench-through bench-fresh bench-ui example pictures clean
 
-$(VENV)/bin/python:
-	$(PYTHON) -m venv $(VENV)
+# pip comes last: an environment that was cut off as it was made is made anew
+$(VENV)/bin/pip:
+	$(PYTHON) -m venv --clear $(VENV)
 
 # That c2s is installed in place needs no warning
 EDITABLE = PYTHONWARNINGS="ignore:Editable installation" $(BIN)/pip install --quiet -c constraints.txt -e
 
-$(STAMP): $(VENV)/bin/python pyproject.toml setup.py constraints.txt
+$(STAMP): $(VENV)/bin/pip pyproject.toml setup.py constraints.txt
 	@echo "Setting up $(VENV), once, in three steps. 1: pip and setuptools"
 	@$(BIN)/pip install --quiet --upgrade "pip>=23" "setuptools>=77"
 	@echo "2: torch ($(if $(TORCH_INDEX),from $(TORCH_INDEX),2 to 5 GB; 200 MB with TORCH_INDEX=https://download.pytorch.org/whl/cpu)); this takes minutes"

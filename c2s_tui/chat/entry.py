@@ -28,6 +28,7 @@ class Entry(OrderedArea):
         self.kept: list[str] = []  # what was put back, until it is sent or deleted
         self._before = ""
         self._at = 0
+        self._typed: dict[int, str] = {}  # what stood at each place of what the arrow keys go through, as it was left
 
     async def _on_key(self, event: Key) -> None:
         if event.key == "enter":
@@ -53,17 +54,19 @@ class Entry(OrderedArea):
         """Send what is typed."""
         text = self.text.strip()
         if text:
+            left = self._typed.get(len(self.sent), "") if self._at < len(self.sent) else ""
             self.sent.append(text)
-            self._at = len(self.sent)
+            self._at, self._typed = len(self.sent), {}
             self.kept = [kept for kept in self.kept if kept not in text]
-            self.text = ""
-            self._bring_back()
+            self.text = left  # what was typed before another text was fetched
+            if not left:
+                self._bring_back()
             self.post_message(TextSubmitted(text))
 
     def remember(self, texts: list[str]) -> None:
         """Texts that were sent before those of this run of the app come back with the arrow keys, too."""
         self.sent = [*(t for t in texts if t not in self.sent), *self.sent]
-        self._at = len(self.sent)
+        self._at, self._typed = len(self.sent), {}
 
     def put(self, text: str) -> None:
         """Put a text there to be sent or changed."""
@@ -96,13 +99,15 @@ class Entry(OrderedArea):
     @property
     def draft(self) -> str:
         """All that is not sent."""
-        return "\n".join([*(kept for kept in self.kept if kept not in self.text), *filter(None, [self.text])])
+        left = self._typed.get(len(self.sent), "") if self._at < len(self.sent) else ""
+        return "\n".join([*(kept for kept in self.kept if kept not in self.text), *filter(None, [left, self.text])])
 
     def _recall(self, by: int) -> bool:
         if not 0 <= self._at + by <= len(self.sent):
             return False
+        self._typed[self._at] = self.text
         self._at += by
-        self.put(self.sent[self._at] if self._at < len(self.sent) else "")
+        self.put(self._typed.get(self._at, self.sent[self._at] if self._at < len(self.sent) else ""))
         return True
 
     def _complete(self) -> bool:

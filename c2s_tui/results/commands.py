@@ -19,6 +19,7 @@ class ResultsCommands(Part):
     def __init__(self, bench: "Workbench"):
         super().__init__(bench)
         self.series = False  # a series of runs is under way
+        self.came_from = "code"  # the pane in which one was as they were shown
 
     async def do_results(self, argument: str) -> None:
         """Show the results of the run, or close them where they can be seen."""
@@ -32,8 +33,9 @@ class ResultsCommands(Part):
                 return
             self.bench.results.remove_class("-on")
             self.bench.query_one("#right").remove_class("-results")
-            self.bench.room.go_to("code")
+            self.bench.room.go_to(self.came_from)
             return
+        self.came_from = self.bench.room.pane_of_focus() or "code"
         self.bench.results.empty()
         self.bench.results.add_class("-on")
         self.bench.query_one("#right").add_class("-results")

@@ -108,3 +108,26 @@ async def test_the_code_begins_at_ego_after_a_restart(stage, size):
         await stage.until(pilot, lambda: code.area.cursor_location[0] == first - 1)
         top = round(code.area.scroll_y)
         assert top == min(first - 3, code.area.max_scroll_y) and top < first <= top + code.area.size.height
+
+
+async def test_what_is_typed_is_there_again_after_a_text_that_was_sent_before(stage):
+    async with stage.described() as pilot:
+        chat = stage.bench.chat.entry
+        stage.bench.room.go_to("chat")
+        sent = chat.sent[-1]
+        await pilot.press(*"draft")
+        await pilot.press("up")
+        assert chat.text == sent and "draft" in chat.draft  # what is kept of it
+        await pilot.press("down")
+        assert chat.text == "draft"
+        await pilot.press("up", "end", "x", "down", "up")
+        assert chat.text == f"{sent}x"  # also what was changed of another
+
+
+async def test_the_results_give_way_to_the_pane_that_one_came_from(stage):
+    async with stage.described() as pilot:
+        stage.bench.room.go_to("chat")
+        await pilot.press("f6")
+        await stage.until(pilot, lambda: stage.bench.results.has_focus)
+        await pilot.press("escape")
+        await stage.until(pilot, lambda: stage.bench.chat.entry.has_focus)

@@ -12,6 +12,7 @@ from c2s_engine.require.geometry import box_distance
 from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO, component_of
+from c2s_engine.structure.objects import is_ahead
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import ObjectSpec, Phase
 
@@ -33,12 +34,13 @@ def required(scene: Scene) -> Iterator[Requirement]:
 
 
 def _answers(scene: Scene, actor: str, phase: Phase) -> bool:
-    """Whether a phase answers to what its target does: not where that waits for the phase, nor before a junction."""
+    """Whether a phase answers to what its target does: not where that waits for the phase or is behind, nor before a
+    junction."""
     spec, other = scene.actors[actor], scene.actors.get(phase.target or "")
     if not isinstance(spec, ObjectSpec) or other is None or phase.target == actor:
         return False
     awaited = any(p.trigger is not None and p.trigger.of == actor for p in other.phases)
-    return not awaited and spec.placement.position not in APPROACHES
+    return not awaited and spec.placement.position not in APPROACHES and not is_ahead(spec, phase.target)
 
 
 def has_cause(requirement: Requirement, evidence: Evidence) -> Result:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from c2s_engine.structure.components import FITTED, READ, Assumption, Component, ComponentId, Structure
 from c2s_engine.structure.edits import EditError, SetField, apply
 from c2s_engine.structure.leaves import value_at
+from c2s_engine.structure.objects import is_ahead
 from c2s_engine.structure.quantity import Quantity, in_words, middle
 from c2s_engine.structure.sentences import with_updated_sentences
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
@@ -166,8 +167,7 @@ def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator
             hits = any(p.action == "collide" and (p.speed is not None or p.pace) for p in spec.phases[i + 1 : i + 2])
             yield from _nearnesses(cid, i, phase, is_open)
             if phase.action != "accelerate" or not hits:  # that says how fast it is by then
-                reacts = getattr(spec, "reaction", "none") != "none"
-                own = _of_phase(cid, i, phase, speed, untimed, reacts, is_open)
+                own = _of_phase(cid, i, phase, speed, untimed and not _answers(spec, phase), is_open)
                 yield from (u for u in own if not (by_contact and u.path.endswith("rate")))
     if isinstance(spec, ObjectSpec) and cid in usual.gaps and is_open("placement.gap", spec.placement.gap):
         follows = spec.placement.position in ("ahead", "behind") and spec.placement.facing != "against"
@@ -200,12 +200,18 @@ def _nearnesses(cid: ComponentId, i: int, phase: Phase, is_open: Callable[[str, 
             yield Unknown(cid, f"phases.{i}.{name}.value", value)
 
 
-def _of_phase(cid: ComponentId, i: int, phase: Phase, speed: float, untimed: bool, reacts: bool,
+def _answers(spec: EgoSpec | ObjectSpec, phase: Phase) -> bool:
+    """Whether one brakes, or stops, for somebody: as that one comes into its way."""
+    reacts = isinstance(spec, EgoSpec) and spec.reaction != "none" and phase.speed is None
+    named = phase.target is not None and not is_ahead(spec, phase.target)
+    return phase.action in ("brake", "stop") and (named or reacts)
+
+
+def _of_phase(cid: ComponentId, i: int, phase: Phase, speed: float, untimed: bool,
               is_open: Callable[[str, object], bool]) -> Iterator[Unknown]:  # fmt: skip
     path = f"phases.{i}"
     moves = speed > 0 or phase.action in ("enter_road", "start", "reverse")
-    answers = phase.action in ("brake", "stop") and (phase.target is not None or reacts and phase.speed is None)
-    if i == 0 and untimed and moves and phase.action not in BY_OTHERS and not answers:
+    if i == 0 and untimed and moves and phase.action not in BY_OTHERS:
         value = middle(phase.trigger.value) if phase.trigger and phase.trigger.value is not None else 3.0
         yield Unknown(cid, f"{path}.trigger", value)
     if i == 0 and phase.action == "wait" and untimed and is_open(f"{path}.duration", phase.duration):

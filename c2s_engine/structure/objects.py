@@ -3,6 +3,7 @@
 import keyword
 
 from c2s_engine.structure.components import Component, Structure, Unmet
+from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 
 IN_CIRCLE = "objects are placed by one another in a circle: what hides this one is left out"
@@ -18,6 +19,12 @@ def types(structure: Structure) -> frozenset[str]:
     """What ego and the objects are."""
     specs = (c.spec for c in (structure.ego, *structure.objects))
     return frozenset(spec.type for spec in specs if isinstance(spec, EgoSpec | ObjectSpec))
+
+
+def is_ahead(spec: EgoSpec | ObjectSpec, other: str | None) -> bool:
+    """Whether an object is placed ahead of another, in its lane or the next."""
+    at = spec.placement if isinstance(spec, ObjectSpec) else None
+    return at is not None and at.of == (other or EGO) and "ahead" in (at.position, at.along) and at.facing != "against"
 
 
 def distinct_names(structure: Structure) -> Structure:

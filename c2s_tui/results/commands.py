@@ -33,7 +33,7 @@ class ResultsCommands(Part):
                 return
             self.bench.results.remove_class("-on")
             self.bench.query_one("#right").remove_class("-results")
-            self.bench.room.go_to(self.came_from)
+            self.bench.room.go_to(self.came_from if argument == "close" else "code")
             return
         self.came_from = self.bench.room.pane_of_focus() or "code"
         self.bench.results.empty()

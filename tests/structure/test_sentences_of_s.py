@@ -4,7 +4,7 @@ import pytest
 
 from c2s_engine.solve.unknowns import Unknown, chosen
 from c2s_engine.structure.components import Component, Structure, field_words
-from c2s_engine.structure.edits import SetField, apply
+from c2s_engine.structure.edits import SetDescription, SetField, apply
 from c2s_engine.structure.sentences import described, with_updated_sentences
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Placement
 from c2s_engine.structure.values import fields, show
@@ -31,7 +31,7 @@ def test_the_sentence_says_a_speed_as_the_field_does(speed):
 
 
 def test_a_sentence_of_the_users_own_stays():
-    own = SCENE.with_component(SCENE["O1"].model_copy(update={"description": "That awful van again."}))
+    own = apply(SCENE, SetDescription(component="O1", description="That awful van again."))
     changed = apply(own, SetField(component="O1", path="speed", value=10.0))
     assert with_updated_sentences(own, changed)["O1"].description == "That awful van again."
     by_hand = changed.with_component(SCENE["O1"].model_copy(update={"origin": "by_hand"}))

@@ -35,6 +35,7 @@ Number = tuple[str, str, float]
 """Of a component: its id, the path, the SI value."""
 NO_VALUE = "no field of S has the value {}"
 NO_OBJECT = "no object of S is one"
+NO_FIELD = "no field of S says that there is one"
 WHEELED = frozenset({*VEHICLES, "animal", "vehicle"} - {"bicycle"})
 """What a noun names that has to be somebody of S: who is on foot or rides is also a driver, an owner, a passer-by."""
 KIN = {"pickup": "truck", "van": "bus truck car", "truck": "van car", "bus": "van", "car": "van"}
@@ -57,6 +58,7 @@ def accounted(structure: Structure, settings: Settings, left_out: Sequence[str] 
     for cid, field, found in settings.found():
         links[cid].append(_link(text, found.span, field))
     missed = [*_phrases(structure, left_out), *_values(structure, numbers), *_absent(structure, nouns)]
+    missed += [u for u in _things(structure) if not meets(u.span, *(m.span for m in missed if m.span))]  # type: ignore
     background: list[Unmet] = []
     last = "R"
     for clause in covering(text):
@@ -186,6 +188,20 @@ def absent(nouns: Sequence[Mention], there: Collection[str]) -> Iterator[Span]:
         known = any(noun.fits(kind) for kind in there) or set(there) & set(KIN.get(noun.type, "").split())
         if noun.type in WHEELED and not known:
             yield noun.start, noun.end
+
+
+def _things(structure: Structure) -> Iterator[Unmet]:
+    """The signs, lights and places that the text names, not as what there is none of, and S does not have."""
+    plain = normalised(structure.text)
+    held = {(path.rsplit(".", 1)[-1], value) for c in structure.components
+            for path, value in values_of(c.spec.model_dump(mode="json", exclude_defaults=True))
+            if isinstance(value, str | bool)}  # fmt: skip
+    for row in language.table("trade")["things"]:
+        if any((name, value) in held for name, values in row["fields"].items() for value in values):
+            continue
+        for match in re.finditer(rf"(?<![\w-])(?:{language.alternatives(row['words'])})(?![\w-])", plain):
+            if not re.search(r"\b(?:no|not|without|un\w+)\W+(?:\w+\W+){0,2}$", plain[: match.start()]):
+                yield Unmet(text=structure.text[slice(*match.span())], reason=NO_FIELD, span=match.span())
 
 
 def _phrases(structure: Structure, left_out: Sequence[str]) -> Iterator[Unmet]:

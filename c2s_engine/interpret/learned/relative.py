@@ -70,9 +70,11 @@ def _whose(said: str, known: Mapping[str, str]) -> set[str]:
 
 
 def _set(before: Structure, after: Structure, number: Number, by: float) -> Structure:
-    cid, path, _ = number
+    cid, path, said = number
     was = before[cid].amount(path)
     what = f"{cid}'s {field_words(path)}"
+    if was is None and not same(said, abs(by)):  # counted by the model from what is usual
+        return after
     if was is None:
         raise Uncountable(f"{what} is left open, so nothing can be counted from it: say how much it is to be")
     value = round(middle(was) + by, 3)

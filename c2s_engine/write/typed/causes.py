@@ -1,5 +1,6 @@
 """For what others than ego brake or stop: what S names comes into their way, or is ahead in their lane."""
 
+from c2s_engine.structure.objects import is_ahead
 from c2s_engine.structure.specs import Phase, Trigger
 from c2s_engine.write.typed.collisions import hit_next
 from c2s_engine.write.typed.course import Course
@@ -34,8 +35,11 @@ def comes(course: Course, phase: Phase) -> str | None:
 
 
 def _answers(course: Course, phase: Phase) -> bool:
-    """Whether a phase of another than ego answers to its target: not where that waits for it, nor before a junction."""
+    """Whether a phase of another than ego answers to its target: not where that waits for it, or is behind it, nor
+    before a junction."""
     a, whom = course.actor, course.party(phase.target) if phase.target else None
     if a.is_ego or a.approach or whom is None or phase.action not in SLOWS or phase.trigger is not None:
+        return False
+    if is_ahead(a.spec, phase.target):  # nobody brakes for whom it has behind it
         return False
     return not any(p.trigger is not None and p.trigger.of == a.cid for p in whom.phases) and not hit_next(course, phase)

@@ -65,6 +65,8 @@ CLOSER = 2.5
 """m by which one comes nearer to whom it follows than where it does something about that."""
 SET_OUT = 3.0
 """m/s from which one that sets out changes lanes, where nothing says how fast it is by then."""
+AT_MOST = 8
+"""m/s2 that one brakes at most behind another that brakes hard."""
 FULL = 5
 """m/s2 from which braking is meant to be full."""
 
@@ -147,7 +149,7 @@ def _brake(c: Course, p: Phase) -> list[Step]:
         return into
     rate = middle(p.rate) if p.rate else (6 if _hard(c) else 3)
     if p.speed is None and p.trigger is None and (lead := _drives_ahead(c, p)):  # to as far behind as one drives
-        return [([c.drive(c.pacing(lead, c.speed), rate)], ending(p, "for 4 seconds"))]
+        return [([c.drive(c.pacing(lead, c.speed), rate if p.rate else AT_MOST)], ending(p, "for 4 seconds"))]
     full = (
         rate >= FULL and not c.actor.is_ego and p is c.actor.spec.phases[-1]
     )  # who slams the brakes on comes to a stand

@@ -12,11 +12,10 @@ from c2s_engine.require.geometry import box_distance
 from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO, component_of
-from c2s_engine.structure.objects import is_ahead
+from c2s_engine.structure.objects import slows_for
 from c2s_engine.structure.requirements import Requirement, Result
-from c2s_engine.structure.specs import ObjectSpec, Phase
+from c2s_engine.structure.specs import ObjectSpec
 
-SLOWS = ("brake", "stop")
 BEND, STEP = 10.0, 0.5
 """m at the end of a way that tell how it bends, and from one point of what lies beyond to the next."""
 FELT = 0.4
@@ -25,22 +24,15 @@ FELT = 0.4
 
 def required(scene: Scene) -> Iterator[Requirement]:
     for actor, i, phase in scene.phases():
+        spec, other = scene.actors[actor], scene.actors.get(phase.target or "")
         own = phase.trigger is not None and scene.stated(component_of(actor), f"phases.{i}.trigger")
-        if actor == EGO or phase.action not in SLOWS or own or not _answers(scene, actor, phase):
+        if not isinstance(spec, ObjectSpec) or own or not slows_for(actor, spec, phase, other):
+            continue
+        if spec.placement.position in APPROACHES:  # it may stop at its line
             continue
         said = f"{scene.named(actor)}: {phase.action} for {scene.named(phase.target)}, which is, or comes, in its way."
         yield scene.make("order", "has_cause", actor, f"phases.{i}.cause", said, other=phase.target,
                          of=f"{component_of(actor)}.phases.{i}.{phase.action}", action=phase.action)  # fmt: skip
-
-
-def _answers(scene: Scene, actor: str, phase: Phase) -> bool:
-    """Whether a phase answers to what its target does: not where that waits for the phase or is behind, nor before a
-    junction."""
-    spec, other = scene.actors[actor], scene.actors.get(phase.target or "")
-    if not isinstance(spec, ObjectSpec) or other is None or phase.target == actor:
-        return False
-    awaited = any(p.trigger is not None and p.trigger.of == actor for p in other.phases)
-    return not awaited and spec.placement.position not in APPROACHES and not is_ahead(spec, phase.target)
 
 
 def has_cause(requirement: Requirement, evidence: Evidence) -> Result:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from c2s_engine.structure.components import FITTED, READ, Assumption, Component, ComponentId, Structure
 from c2s_engine.structure.edits import EditError, SetField, apply
 from c2s_engine.structure.leaves import value_at
-from c2s_engine.structure.objects import is_ahead
+from c2s_engine.structure.objects import SLOWS, is_ahead
 from c2s_engine.structure.quantity import Quantity, in_words, middle
 from c2s_engine.structure.sentences import with_updated_sentences
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
@@ -204,7 +204,7 @@ def _answers(spec: EgoSpec | ObjectSpec, phase: Phase) -> bool:
     """Whether one brakes, or stops, for somebody: as that one comes into its way."""
     reacts = isinstance(spec, EgoSpec) and spec.reaction != "none" and phase.speed is None
     named = phase.target is not None and not is_ahead(spec, phase.target)
-    return phase.action in ("brake", "stop") and (named or reacts)
+    return phase.action in SLOWS and (named or reacts)
 
 
 def _of_phase(cid: ComponentId, i: int, phase: Phase, speed: float, untimed: bool,

@@ -4,7 +4,7 @@ import keyword
 
 from c2s_engine.structure.components import Component, Structure, Unmet
 from c2s_engine.structure.facts import EGO
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 
 IN_CIRCLE = "objects are placed by one another in a circle: what hides this one is left out"
 
@@ -25,6 +25,17 @@ def is_ahead(spec: EgoSpec | ObjectSpec, other: str | None) -> bool:
     """Whether an object is placed ahead of another, in its lane or the next."""
     at = spec.placement if isinstance(spec, ObjectSpec) else None
     return at is not None and at.of == (other or EGO) and "ahead" in (at.position, at.along) and at.facing != "against"
+
+
+SLOWS = ("brake", "stop")
+
+
+def slows_for(cid: str, spec: EgoSpec | ObjectSpec, phase: Phase, other: EgoSpec | ObjectSpec | None) -> bool:
+    """Whether an object brakes, or stops, in a phase for its target (`other`): not where that waits for it, or is
+    behind it."""
+    if phase.action not in SLOWS or phase.target in (None, cid) or other is None or is_ahead(spec, phase.target):
+        return False
+    return not any(p.trigger is not None and p.trigger.of == cid for p in other.phases)
 
 
 def distinct_names(structure: Structure) -> Structure:

@@ -54,7 +54,7 @@ class Entry(OrderedArea):
         """Send what is typed."""
         text = self.text.strip()
         if text:
-            left = self._typed.get(len(self.sent), "") if self._at < len(self.sent) else ""
+            left = self._behind
             self.sent.append(text)
             self._at, self._typed = len(self.sent), {}
             self.kept = [kept for kept in self.kept if kept not in text]
@@ -99,8 +99,13 @@ class Entry(OrderedArea):
     @property
     def draft(self) -> str:
         """All that is not sent."""
-        left = self._typed.get(len(self.sent), "") if self._at < len(self.sent) else ""
-        return "\n".join([*(kept for kept in self.kept if kept not in self.text), *filter(None, [left, self.text])])
+        kept = (kept for kept in self.kept if kept not in self.text)
+        return "\n".join([*kept, *filter(None, [self._behind, self.text])])
+
+    @property
+    def _behind(self) -> str:
+        """What was typed before a text that was sent earlier was fetched, while that stands there."""
+        return self._typed.get(len(self.sent), "") if self._at < len(self.sent) else ""
 
     def _recall(self, by: int) -> bool:
         if not 0 <= self._at + by <= len(self.sent):

@@ -200,31 +200,37 @@ def _things(structure: Structure) -> Iterator[Unmet]:
         if any((name, value) in held for name, values in row["fields"].items() for value in values):
             continue
         for match in re.finditer(rf"(?<![\w-])(?:{language.alternatives(row['words'])})(?![\w-])", plain):
-            if not re.search(r"\b(?:no|not|without|un\w+)\W+(?:\w+\W+){0,2}$", plain[: match.start()]):
+            if not re.search(r"\b(?:no|not|without)\W+(?:\w+\W+){0,2}$", plain[: match.start()]):
                 yield Unmet(text=structure.text[slice(*match.span())], reason=NO_FIELD, span=match.span())
 
 
 def _phrases(structure: Structure, left_out: Sequence[str]) -> Iterator[Unmet]:
     """What was said to be left out, but for what S does say."""
+    numbers, said = numbers_of(structure), words_of_fields(structure) if left_out else frozenset()
     for phrase in left_out:
         found = re.search(r"\s+".join(map(re.escape, phrase.split())), structure.text, re.IGNORECASE)
-        if found and not is_said(phrase, structure):
+        if found and not is_said(phrase, numbers, said):
             yield Unmet(text=found[0], reason=UNSAID, span=found.span())
 
 
-def is_said(phrase: str, structure: Structure) -> bool:
-    """Whether fields of S have every word and every amount of a phrase."""
-    plain, numbers = normalised(phrase), numbers_of(structure)
+def words_of_fields(structure: Structure) -> frozenset[str]:
+    """The stems of the words that fields of S say, and of those for the fields that hold a number."""
+    said = {word for c in structure.components for word, field in said_words(c, structure).items() if field}
+    for name in {path.rsplit(".", 1)[-1] for _, path, _ in numbers_of(structure)}:
+        said |= {stem(word) for word in (name, *language.table("trade")["fields"].get(name, ()))}
+    return frozenset(said)
+
+
+def is_said(phrase: str, numbers: Sequence[Number], said: Collection[str]) -> bool:
+    """Whether fields of S, by their numbers and words, have every word and every amount of a phrase."""
+    plain = normalised(phrase)
     amounts = quantities(plain)
     if not all(any(same(held, value) for _, _, held in numbers) for _, value, _ in amounts):
         return False
-    said = {word for c in structure.components for word, field in said_words(c, structure).items() if field}
-    for name in {path.rsplit(".", 1)[-1] for _, path, _ in numbers}:
-        said |= {stem(word) for word in (name, *language.table("trade")["fields"].get(name, ()))}
     for (start, end), _, _ in reversed(amounts):
         plain = plain[:start] + " " + plain[end:]
     own = {stem(word) for word in _WORD.findall(plain)} - _small_stems()
-    return bool(own or amounts) and own <= said
+    return bool(own or amounts) and own <= set(said)
 
 
 def _topic(clause: str, named: bool) -> str:

@@ -22,7 +22,7 @@ from c2s_engine.interpret.learned.edits import differences, removal_edits, worde
 from c2s_engine.interpret.learned.notation import NONE, PLACEMENT, Components, parse, short
 from c2s_engine.interpret.learned.quantities import si
 from c2s_engine.interpret.learned.reader import component_of_data
-from c2s_engine.interpret.learned.relative import Uncountable, counted
+from c2s_engine.interpret.learned.relative import counted
 from c2s_engine.interpret.learned.units import rooms_in_seconds, with_units
 from c2s_engine.interpret.mentions import mentions
 from c2s_engine.interpret.text import normalised
@@ -76,8 +76,8 @@ def read_change(text: str, structure: Structure) -> Change | None:
         return Change((), "", likely)
     try:
         after = counted(text, structure, changed_structure(structure, lines))
-    except Uncountable as error:
-        raise ReaderError(str(error)) from None
+    except ReaderError:
+        raise
     except ValueError:
         return None
     edits = tuple(differences(structure, after))

@@ -5,7 +5,7 @@ from itertools import takewhile
 from typing import Any
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.learned.account import is_said
+from c2s_engine.interpret.learned.account import is_said, numbers_of, words_of_fields
 from c2s_engine.structure.components import WORDS, Assumption, Component, Structure, Unmet
 
 NEAR = 3
@@ -36,7 +36,9 @@ def _is_said(unmet: Unmet, word: tuple[int, int], structure: Structure) -> bool:
     """Whether a phrase that counts as not understood is this word, and what S says besides."""
     start, end = unmet.span or (0, 0)
     rest = structure.text[start : word[0]] + " " + structure.text[word[1] : end]
-    return start <= word[0] and word[1] <= end and (not rest.strip() or is_said(rest, structure))
+    return start <= word[0] and word[1] <= end and (
+        not rest.strip() or is_said(rest, numbers_of(structure), words_of_fields(structure))
+    )
 
 
 def _said(text: str, component: Component, number: int) -> tuple[tuple[int, int], Any]:

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 
 from c2s_engine.interpret import language
 from c2s_engine.interpret.learned.account import Number, Span, numbers_of, same
+from c2s_engine.interpret.learned.decoder import ReaderError
 from c2s_engine.interpret.learned.units import quantities, unit_of_field
 from c2s_engine.interpret.mentions import mentions, names_ego
 from c2s_engine.structure.components import Structure, field_words
@@ -12,10 +13,6 @@ from c2s_engine.structure.edits import SetField, apply
 from c2s_engine.structure.quantity import in_words, middle
 from c2s_engine.structure.sentences import says_its_spec, with_own_sentence
 from c2s_engine.structure.specs import ObjectSpec
-
-
-class Uncountable(ValueError):
-    """A change by an amount that leads nowhere; the message says why, and what to say instead."""
 
 
 def relative_amounts(text: str) -> list[tuple[Span, float, str, int]]:
@@ -39,7 +36,7 @@ def _sign(text: str, signs: dict[str, list[str]]) -> int:
 
 def counted(text: str, before: Structure, after: Structure) -> Structure:
     """S after a change, with the numbers that it sets counted from what they were, where the text says by how much;
-    raises Uncountable, also where it is not plain which number is meant."""
+    raises ReaderError where that leads nowhere, or where it is not plain which number is meant."""
     amounts = relative_amounts(text)
     had = {(cid, path): value for cid, path, value in numbers_of(before)}
     changed = [n for n in numbers_of(after) if had.get(n[:2]) != n[2] and n[0] in before]
@@ -53,7 +50,7 @@ def counted(text: str, before: Structure, after: Structure) -> Structure:
         if len(fitting) != 1 or not sign:
             if len(amounts) > 1 or any(same(value, amount) for _, _, value in changed):
                 which = text[slice(*span)]
-                raise Uncountable(f"I cannot tell what “{which}” is to be counted from: name one field at a time")
+                raise ReaderError(f"I cannot tell what “{which}” is to be counted from: name one field at a time")
             return after
         left.remove(fitting[0])
         found = _set(before, found, fitting[0], sign * amount)
@@ -76,10 +73,10 @@ def _set(before: Structure, after: Structure, number: Number, by: float) -> Stru
     if was is None and not same(said, abs(by)):  # counted by the model from what is usual
         return after
     if was is None:
-        raise Uncountable(f"{what} is left open, so nothing can be counted from it: say how much it is to be")
+        raise ReaderError(f"{what} is left open, so nothing can be counted from it: say how much it is to be")
     value = round(middle(was) + by, 3)
     if value <= 0:
         held = in_words(path, was)
-        raise Uncountable(f"{what} is {held}, which cannot become so much less: say how much it is to be")
+        raise ReaderError(f"{what} is {held}, which cannot become so much less: say how much it is to be")
     found = apply(after, SetField(component=cid, path=path, value=value))
     return found.with_component(with_own_sentence(found[cid], found)) if says_its_spec(after[cid], after) else found

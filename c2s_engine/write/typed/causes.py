@@ -1,12 +1,14 @@
 """For what others than ego brake or stop: what S names comes into their way, or is ahead in their lane."""
 
-from c2s_engine.structure.objects import is_ahead
+from c2s_engine.structure.facts import called
+from c2s_engine.structure.objects import SLOWS, is_ahead, slows_for
 from c2s_engine.structure.specs import Phase, Trigger
 from c2s_engine.write.typed.collisions import hit_next
 from c2s_engine.write.typed.course import Course
+from c2s_engine.write.typed.tables import is_static, is_vehicle
+from c2s_engine.write.typed.usual import crosses
 from c2s_engine.write.typed.watching import watched
 
-SLOWS = ("brake", "stop")
 COMES = (
     "cross_road", "enter_road", "cut_in", "lane_change", "swerve", "drift", "lose_control", "oncoming", "reverse",
     "u_turn",
@@ -35,11 +37,21 @@ def comes(course: Course, phase: Phase) -> str | None:
 
 
 def _answers(course: Course, phase: Phase) -> bool:
-    """Whether a phase of another than ego answers to its target: not where that waits for it, or is behind it, nor
-    before a junction."""
+    """Whether a phase of another than ego answers to its target, and hits nobody next; not before a junction."""
     a, whom = course.actor, course.party(phase.target) if phase.target else None
-    if a.is_ego or a.approach or whom is None or phase.action not in SLOWS or phase.trigger is not None:
+    if a.is_ego or a.approach or phase.trigger is not None or hit_next(course, phase):
         return False
-    if is_ahead(a.spec, phase.target):  # nobody brakes for whom it has behind it
+    return slows_for(a.cid, a.spec, phase, whom)
+
+
+def drives_ahead(course: Course, cid: str) -> bool:
+    """Whether another vehicle drives ahead in one's lane, on its own or once it has come into it."""
+    a, spec = course.actor, course.other(cid)
+    if spec is None or is_static(spec) or not is_vehicle(spec.type) or spec.placement.facing == "against":
         return False
-    return not any(p.trigger is not None and p.trigger.of == a.cid for p in whom.phases) and not hit_next(course, phase)
+    if a.is_ego:
+        ahead = spec.placement.of == "ego" and spec.placement.position == "ahead"
+    else:
+        ahead = course.lane is not None and a.plan.lane_of.get(cid) == course.lane and not is_ahead(a.spec, cid)
+    before = any(p.action == "cut_in" and p.target in (None, called(a.cid)) for p in spec.phases)
+    return ahead and not crosses(spec) or before

@@ -94,11 +94,11 @@ def collides(c: Course, p: Phase) -> list[Step]:
     if not until:  # nothing else brings it to the other than that it is faster
         c.set(faster)
     elif until == STANDS and c.actor.value > 0:  # it looks up too late
-        comes, slower = c.actor.speed, goal < c.actor.plan.ego_speed - SLOWER  # whose own is that at which it hits ego
+        slower = goal < c.actor.plan.ego_speed - SLOWER  # its own speed is that at which it hits ego
+        comes = "EGO_SPEED" if slower else c.actor.speed
         left = scope.number(min(goal if p.speed is not None or slower else NUDGE, c.actor.value))
         left = f"{comes} / 3" if p.speed is None and not slower and c.actor.value > 3 * NUDGE else left
-        late = f"do BrakeTooLate(line, {other}, {'EGO_SPEED' if slower else comes}, {left})"
-        return [([late], f"until touch(self, {other})"), _stands(c)]
+        return [([f"do BrakeTooLate(line, {other}, {comes}, {left})"], f"until touch(self, {other})"), _stands(c)]
     return _drives_on(c, other)
 
 

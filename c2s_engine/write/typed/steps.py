@@ -6,7 +6,7 @@ from collections.abc import Callable
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import lateral, scope, traffic
-from c2s_engine.write.typed.causes import comes
+from c2s_engine.write.typed.causes import comes, drives_ahead
 from c2s_engine.write.typed.collisions import (
     Step,
     backs_into,
@@ -28,8 +28,6 @@ from c2s_engine.write.typed.tables import (
     MOVES_OFF_ROAD,
     RAMP,
     TURN,
-    is_static,
-    is_vehicle,
 )
 from c2s_engine.write.typed.threats import every, is_hit
 from c2s_engine.write.typed.towards import IN_MIDDLE, ROOM, SHORT, ending, held_for, stops_in_way, yields
@@ -148,7 +146,8 @@ def _brake(c: Course, p: Phase) -> list[Step]:
     if (into := brakes_into(c, p)) is not None:
         return into
     rate = middle(p.rate) if p.rate else (6 if _hard(c) else 3)
-    if p.speed is None and p.trigger is None and (lead := _drives_ahead(c, p)):  # to as far behind as one drives
+    lead = p.target or (getattr(c.actor.spec, "react_to", None) if c.actor.is_ego else None)
+    if p.speed is None and p.trigger is None and lead and drives_ahead(c, lead):  # to as far behind as one drives
         return [([c.drive(c.pacing(lead, c.speed), rate if p.rate else AT_MOST)], ending(p, "for 4 seconds"))]
     full = (
         rate >= FULL and not c.actor.is_ego and p is c.actor.spec.phases[-1]
@@ -158,16 +157,6 @@ def _brake(c: Course, p: Phase) -> list[Step]:
     c.value = goal or c.value
     drive = c.drive(c.speed if goal else "0", rate)
     return [([drive], ending(p, Reached(f"until self.speed < {scope.number(goal + NEAR_SPEED)}")))]
-
-
-def _drives_ahead(c: Course, p: Phase) -> str | None:
-    """For whom one brakes who goes on ahead of it in its lane, or comes there; None: nobody that S names."""
-    cid = p.target or (getattr(c.actor.spec, "react_to", None) if c.actor.is_ego else None)
-    spec = c.other(cid)
-    if spec is None or is_static(spec) or not is_vehicle(spec.type) or spec.placement.facing == "against":
-        return None
-    there = c.actor.plan.lane_of.get(cid or "") == c.lane and c.lane is not None
-    return cid if there and not crosses(spec) or any(q.action == "cut_in" for q in spec.phases) else None
 
 
 def _stop(c: Course, p: Phase) -> list[Step]:

@@ -1,10 +1,11 @@
 """When a phase begins: its stated trigger, or what its action waits for where none is stated."""
 
 from c2s_engine.structure.components import Structure
+from c2s_engine.structure.objects import SLOWS
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import ahead, lateral, scope, traffic
-from c2s_engine.write.typed.causes import because
+from c2s_engine.write.typed.causes import because, drives_ahead
 from c2s_engine.write.typed.collisions import hit_beside, hit_next, too_late
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.evasion import last_moment
@@ -14,7 +15,7 @@ from c2s_engine.write.typed.passing import FOLLOWS
 from c2s_engine.write.typed.people import REACTS, comes_out
 from c2s_engine.write.typed.reach import EVADED_AT
 from c2s_engine.write.typed.stations import parked_in_way
-from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, WORKS, is_static, is_vehicle
+from c2s_engine.write.typed.tables import LENGTH, MOVES_OFF_ROAD, WORKS, is_static
 from c2s_engine.write.typed.threats import (
     ASIDE,
     IN_WAY,
@@ -76,17 +77,6 @@ def stated(course: Course, phase: Phase) -> str:
     if t.kind == "light" and phase.action == "stop" and (lane := course.actor.to_junction):  # if it still can
         condition += f" and to_line(self, {lane}) > self.speed ** 2 / {CAN_STOP}"
     return f"until {condition}"
-
-
-SLOWS = ("brake", "stop")
-
-
-def drives_ahead(course: Course, cid: str) -> bool:
-    """Whether another vehicle drives ahead in ego's lane, on its own or once it has come into it."""
-    spec = course.other(cid)
-    if spec is None or is_static(spec) or not is_vehicle(spec.type) or spec.placement.of != "ego":
-        return False
-    return spec.placement.position == "ahead" or any(p.action == "cut_in" for p in spec.phases)
 
 
 COMES_OVER = {

@@ -125,18 +125,19 @@ def _candidates(outcome: Outcome, known: Sequence[_Known], room: float,
         length = len(move) == 1 and move[0][0].component == "T"  # which is exact
         while tried < len(known) and not length:  # what is known by now may tell how far
             tried += 1
-            yield from (_with(structure, found) for found in _along(outcome, known[tried - 1], open_) if found)
+            yield from (_with(structure, found) for found in _along(outcome, known[tried - 1], open_, known) if found)
         if move:
             yield _with(structure, move)
 
 
-def _along(outcome: Outcome, other: _Known, open_: Sequence[Unknown]) -> Iterator[Move]:
+def _along(outcome: Outcome, other: _Known, open_: Sequence[Unknown], known: Sequence[_Known]) -> Iterator[Move]:
     """Where an unknown that alone was another in `other` made what is measured another, as much of it as brings that
-    within its bounds, by the slope (secant)."""
-    differ = [u for u in open_ if u.component != "T" and other.values.get((u.component, u.path), u.value) != u.value]
-    if len(differ) != 1:
+    within its bounds, by the slope (secant); not as far as what was tried that way already, and was no better."""
+    unknown = _apart_by(other, open_)
+    if unknown is None:
         return
-    unknown, was = differ[0], {r.requirement: r.value for r in other.outcome.results}
+    was = {r.requirement: r.value for r in other.outcome.results}
+    alike = [k.values[unknown.component, unknown.path] for k in known if _apart_by(k, open_) == unknown]
     for _, result in outcome.failing:
         before = was.get(result.requirement)
         if result.value is None or result.bounds is None or before is None or abs(before - result.value) < FLAT:
@@ -146,8 +147,16 @@ def _along(outcome: Outcome, other: _Known, open_: Sequence[Unknown]) -> Iterato
         goal = low + inside if result.value < low else high - inside
         slope = (before - result.value) / (other.values[unknown.component, unknown.path] - unknown.value)
         due = unknown.value + (goal - result.value) / slope
-        if unknown.limits[0] <= due <= unknown.limits[1]:
+        no_further = all(abs(due - unknown.value) < abs(v - unknown.value) for v in alike
+                         if (v > unknown.value) == (due > unknown.value))  # fmt: skip
+        if unknown.limits[0] <= due <= unknown.limits[1] and no_further:
             yield unknown.set_to(due, 2)
+
+
+def _apart_by(other: _Known, open_: Sequence[Unknown]) -> Unknown | None:
+    """The one unknown, the run's length aside, that was another in what was tried; None where several were, or none."""
+    differ = [u for u in open_ if u.component != "T" and other.values.get((u.component, u.path), u.value) != u.value]
+    return differ[0] if len(differ) == 1 else None
 
 
 def _with(structure: Structure, move: Move) -> Structure:

@@ -3,7 +3,7 @@
 import asyncio
 import contextlib
 import re
-from collections.abc import AsyncIterator, Callable, Sequence
+from collections.abc import AsyncIterator, Awaitable, Callable, Sequence
 from contextlib import aclosing
 from dataclasses import replace
 from functools import partial
@@ -43,6 +43,7 @@ class Turns(Part):
         self.said = ""  # the text of the turn under way, where it is one
         self.count = 0  # turns that have begun
         self.early: list[str] = []  # what was sent before a session was open
+        self.refused = False  # whether what was asked for last could not begin
 
     @property
     def busy(self) -> bool:
@@ -210,7 +211,15 @@ class Turns(Part):
                 async for event in found:
                     yield event
 
+    async def keeping(self, text: str, command: Awaitable[None]) -> None:
+        """A command that was typed; where it may not begin now, it stays typed."""
+        self.refused = False
+        await command
+        if self.refused:
+            self._put_back(text)
+
     async def may_begin(self) -> bool:
+        self.refused = self.bench.session is None or self.busy
         if self.bench.session is None:
             self.app.notify("The session is still being opened.", markup=False)
             return False

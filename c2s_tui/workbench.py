@@ -212,7 +212,7 @@ class Workbench(Screen):
         if self.session is None and (command is None or command[0] not in AT_ANY_TIME):
             await self.turns.wait_to_say(event.text)
         elif command is not None:
-            await self.run_command(*command)
+            await self.turns.keeping(event.text, self.run_command(*command))
         else:
             await self.turns.say(event.text)
 

@@ -19,7 +19,7 @@ from c2s_engine.interpret.mentions import mentions, names_ego
 from c2s_engine.interpret.parser import parser
 from c2s_engine.interpret.text import normalised, sentences
 from c2s_engine.structure.components import Structure
-from c2s_engine.structure.edits import Edit
+from c2s_engine.structure.edits import Edit, RemoveObject
 from c2s_engine.structure.specs import ObjectSpec
 
 TurnKind = Literal["question", "edit", "scenario", "undo", "redo"]
@@ -89,6 +89,9 @@ def _change(text: str, structure: Structure) -> Turn | None:
     found = read_change(text, structure)
     if found is None or not found.edits:
         return None
+    gone = [e.component for e in found.edits if isinstance(e, RemoveObject)]
+    if gone and found.likely < SURE and not all(re.search(rf"\b{cid}\b", text, re.IGNORECASE) for cid in gone):
+        return Turn("edit", reply=_which(structure, gone))
     return Turn("edit", list(found.edits), found.words, guessed=found.likely < SURE)
 
 
@@ -115,6 +118,8 @@ def _kind(plain: str, structure: Structure | None) -> Literal["nothing", "wish"]
     if not wish and asks(plain):
         return "question"
     if structure is None or structure.blank:
+        return "scenario"
+    if _names_parties(plain, structure):
         return "scenario"
     aside = len(plain.split()) <= ASIDE and not re.search(r"[.;!?]\s*\S", plain)
     if len(plain.split()) > LONGEST_CHANGE or not (wish or aside) and _tells(plain, structure):
@@ -174,6 +179,13 @@ def _tells(plain: str, structure: Structure) -> bool:
     return len(sentences(plain)) > 1 or any(names_ego(t.text) for t in main)
 
 
+def _names_parties(plain: str, structure: Structure) -> bool:
+    """Whether a text names two or more by labels, such as V1 and V2, that were not spoken of before."""
+    said = normalised(structure.text)
+    named = {re.sub(r"\W", "", match[0]) for match in re.finditer(_table()["parties"], plain) if match[0] not in said}
+    return len(named) > 1 and len(sentences(plain)) > 1
+
+
 def _stands_alone(plain: str) -> bool:
     """Whether a text tells of ego and others as nobody does of whom another knows: with no definite noun for somebody
     who was not spoken of before, and as no command."""
@@ -184,13 +196,22 @@ def _stands_alone(plain: str) -> bool:
         return False
     for number, m in enumerate(named):
         span = words.char_span(m.start, m.end, alignment_mode="expand")
-        known = span is not None and any(t.dep_ == "poss" or t.lower_ in DEFINITE for t in span.root.children)
+        before = reversed(list(words[: span.start])) if span is not None else ()
+        told = next((t for t in before if t.pos_ not in ("ADJ", "NUM", "NOUN", "PROPN")), None)  # "the old van"
+        known = told is not None and (told.dep_ == "poss" or told.lower_ in DEFINITE or told.tag_ in ("PRP$", "POS"))
         if known and not any({m.type, n.type} & {"vehicle"} or m.type == n.type for n in named[:number]):
             return False
     return True
 
 
+def _which(structure: Structure, meant: list[str]) -> str:
+    """The question which of the objects is to be removed, where the model is not sure which are meant."""
+    there = "; ".join(f"{c.id}: {c.description.rstrip('.')}" for c in structure.objects)
+    return f"Which one is to be removed? Say for example “remove {' and '.join(meant)}”. There are: {there}."
+
+
 def _not_understood(text: str) -> str:
     """The answer to a change that is not understood, with what would do."""
     how = "name in English what is to change and how, such as “make the lead a truck”"
-    return f"I did not understand “{text.strip()[:80]}” as a change: {how}."
+    anew = "; put “New scenario:” before a description of another scene" if len(text.split()) >= TALE else ""
+    return f"I did not understand “{text.strip()[:80]}” as a change: {how}{anew}."

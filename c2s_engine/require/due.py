@@ -66,11 +66,12 @@ def _meeting(a: np.ndarray, b: np.ndarray, one: Motion, other: Motion) -> tuple[
 
 
 def to_touch(one: Motion, other: Motion, wanted: Callable[[Point, Point], bool]) -> float | None:
-    """The same for two that do touch to touch first where wanted: m ahead and to the left of the middle of each."""
+    """The same for two that do touch, and not where it is wanted, to touch first there: m ahead and to the left of the
+    middle of each."""
     every = max(1, round(STEP / one.step))
     a, b = _going_on(one)[::every], _going_on(other)[::every]
     tries = round(FURTHEST / (every * one.step))
-    for by in sorted(range(-tries, tries + 1), key=abs):
+    for by in sorted(range(-tries, tries + 1), key=abs)[1:]:
         n = min(len(a), len(b)) - abs(by)
         first, second = a[max(0, -by) :][:n], b[max(0, by) :][:n]
         hit = touching(first, second, one.size, other.size)

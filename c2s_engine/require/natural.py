@@ -249,7 +249,8 @@ def explained(motion: Motion, evidence: Evidence, first: int, last: int, others:
                 and -10.0 < mark.start - front < limits["ahead"]["value"]:  # fmt: skip
             return True
     there = evidence.everybody if others else []
-    return any(in_its_way(motion, other, first, limits["headway"]["value"]) for other in there)
+    near = max(limits["headway"]["value"], float(motion.speed[first]) ** 2 / (2 * limits["braking"]["value"]))
+    return any(in_its_way(motion, other, first, near) for other in there)
 
 
 def in_its_way(motion: Motion, other: Motion, step: int, within: float) -> bool:

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 
 from c2s_engine.require.evidence import STANDING, Evidence, Motion
-from c2s_engine.require.moments import beside
+from c2s_engine.require.moments import beside, onset
 from c2s_engine.require.phases import AT_JUNCTION, LASTING
 from c2s_engine.require.results import scored, unknown
 from c2s_engine.require.scene import Scene, bounds
@@ -36,8 +36,9 @@ def required(scene: Scene) -> Iterator[Requirement]:
     if any(p.trigger and p.trigger.place == "merge_end" for _, _, p in scene.phases()):
         timed = max(timed, bounds()["pace"]["merge"]["value"])  # the whole acceleration lane comes first
     lasting = max((high(p.duration) for _, _, p in scene.phases() if p.duration is not None), default=0.0)
+    comes_up = tuple(actor for actor, i, p in scene.phases() if i == 0 and p.action == "follow")
     yield scene.make("pace", "first_event", EGO, "pace.first", "The first event comes within seconds, not at once.",
-                     component="T", of=ids, timed=timed)  # fmt: skip
+                     component="T", of=ids, timed=timed, comes_up=comes_up)  # fmt: skip
     spec = scene.structure.restrictions.spec
     if getattr(spec, "duration", None) is None or not scene.stated("T", "duration"):
         yield scene.make("pace", "soon_over", EGO, "pace.over", "The run ends soon after the last event.",
@@ -133,11 +134,23 @@ def first_event(requirement: Requirement, evidence: Evidence) -> Result:
     least, most = limits["first"]["value"]
     most = max(most, float(requirement.values["timed"]) + 2.0)  # type: ignore[arg-type]
     said, moments = f"within {least:g} to {most:g} s", _moments(requirement, evidence)
+    begun = [onset(m, "overtake", t) for key, action, m in _seen(requirement, evidence)
+             if action == "overtake" and (t := evidence.times.get(key)) is not None]  # fmt: skip
+    moments = sorted([*moments, *begun, *_coming_up(requirement, evidence)])
     moments = [m for m in moments if m > 0.0] or moments  # what is so from the first is no event
     if not moments:
         return unknown(requirement, said, "not judged: none of the described events occurred")
     return scored(requirement, min(moments[0] - least, most - moments[0]), said, f"{moments[0]:.1f} s", moments[0],
                   measured=(moments[0], least, most))  # fmt: skip
+
+
+def _coming_up(requirement: Requirement, evidence: Evidence) -> list[float]:
+    """When those who follow another from the first begin to slow down for it."""
+    comes: list[float] = []
+    for motion in (m for actor in requirement.values["comes_up"] for m in evidence.motions(str(actor))):  # type: ignore
+        slower = np.flatnonzero(motion.smooth < motion.smooth[0] - bounds()["phase"]["change"]["value"])
+        comes += [float(motion.time[slower[0]])] if len(slower) else []
+    return comes
 
 
 def soon_over(requirement: Requirement, evidence: Evidence) -> Result:
@@ -164,7 +177,7 @@ def _speed_moments(evidence: Evidence) -> list[float]:
     """When somebody brakes (all the while), gains speed, turns, comes into a junction or first moves aside: not said,
     and yet something that happens."""
     limits, moving = bounds()["phase"], [m for m in evidence.everybody if m.moves]
-    times = [m.time[m.acceleration < -limits["change_rate"]["value"]] for m in moving]
+    times = [m.time[m.acceleration < -limits["change_rate"]["value"] / 2] for m in moving]
     times += [m.time[np.abs(beside(m)) > limits["begun"]["value"]][:1] for m in moving]
     telling = ("brake", "accelerate", "stop", "turn_left", "turn_right", "cross_path", "lane_change", "yield")
     seen = [e.time for o in evidence.facts.objects for e in o.events if e.event in telling]

@@ -198,7 +198,8 @@ def _in_the_run(asked: _QuestionContext) -> str:
     if not re.search(r"\bpet\b|\bencroachment\b", asked.text, re.I):
         return _near(asked)
     crossed = [p for p in _pairs(asked) if p.pet_s is not None]
-    return " ".join(map(_pair, crossed)) or "There is none in the run: no paths cross."
+    none = "There is none in the run: nobody leaves a place that another then comes to."
+    return " ".join(map(_pair, crossed)) or none
 
 
 def _why_collided(asked: _QuestionContext, found: Sequence[Collision]) -> str:

@@ -21,7 +21,7 @@ AFTER = 3.0
 """s for which a run goes on after the last of what is said."""
 SHORTEST = 4.0
 """s that a run takes at least."""
-BY_ITS_ROAD = ("unseen", "own_side", "stands_for", "at_line")
+BY_ITS_ROAD = ("unseen", "own_side", "stands_for", "at_line", "steady")
 """Checks of what comes of a road that goes on differently than S needs: stops at later signs and the like."""
 BEFORE = 0.5
 """s before such a thing at which a run ends."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from c2s_engine.structure.components import FITTED, READ, Assumption, Component, ComponentId, Structure
@@ -20,7 +20,8 @@ PLANNER = "planner"
 """Who chose, in `assumed`."""
 REASON = "left open: chosen so that the run shows what is described"
 BY_OTHERS = (
-    "wait", "stationary", "cross_road", "yield", "follow", "go_straight", "turn_left", "turn_right", "collide"
+    "wait", "stationary", "cross_road", "yield", "follow", "go_straight", "turn_left", "turn_right", "collide",
+    "keep_lane", "move_along",
 )  # fmt: skip
 """First phases whose moment follows from where others are or from the place, or that have none."""
 STANDS_FOR = 3.0
@@ -31,8 +32,10 @@ LIMITS = {"gap": (2.0, 400.0), "speed": (1.0, 36.0), "rate": (1.0, 9.0), "durati
 NEAR = {"distance": METRES, "ttc": SECONDS}
 """How near is near, by what a condition watches, where S does not say: m, s."""
 _UNITS = {"distance": "m", "ttc": "s", "time": "s"}
-HEADWAY = 0.5
+HEADWAY = 0.9
 """s behind another that drives in the same lane below which no open gap is chosen."""
+FASTER = 3.0
+"""m/s by which one overtakes at least."""
 STRAYS = 0.3
 """The share of what is usual by which a speed may be higher or lower."""
 
@@ -167,7 +170,7 @@ def _of(component: Component, usual: Usual, freed: Container[Field]) -> Iterator
             hits = any(p.action == "collide" and (p.speed is not None or p.pace) for p in spec.phases[i + 1 : i + 2])
             yield from _nearnesses(cid, i, phase, is_open)
             if phase.action != "accelerate" or not hits:  # that says how fast it is by then
-                own = _of_phase(cid, i, phase, speed, untimed and not _answers(spec, phase), is_open)
+                own = _of_phase(cid, i, phase, usual.speeds, untimed and not _answers(spec, phase), is_open)
                 yield from (u for u in own if not (by_contact and u.path.endswith("rate")))
     if isinstance(spec, ObjectSpec) and cid in usual.gaps and is_open("placement.gap", spec.placement.gap):
         follows = spec.placement.position in ("ahead", "behind") and spec.placement.facing != "against"
@@ -207,9 +210,9 @@ def _answers(spec: EgoSpec | ObjectSpec, phase: Phase) -> bool:
     return phase.action in SLOWS and (named or reacts)
 
 
-def _of_phase(cid: ComponentId, i: int, phase: Phase, speed: float, untimed: bool,
+def _of_phase(cid: ComponentId, i: int, phase: Phase, speeds: Mapping[str, float], untimed: bool,
               is_open: Callable[[str, object], bool]) -> Iterator[Unknown]:  # fmt: skip
-    path = f"phases.{i}"
+    path, speed = f"phases.{i}", speeds.get(cid, 0.0)
     moves = speed > 0 or phase.action in ("enter_road", "start", "reverse")
     if i == 0 and untimed and moves and phase.action not in BY_OTHERS:
         value = middle(phase.trigger.value) if phase.trigger and phase.trigger.value is not None else 3.0
@@ -219,4 +222,7 @@ def _of_phase(cid: ComponentId, i: int, phase: Phase, speed: float, untimed: boo
     if phase.action in ("brake", "stop") and is_open(f"{path}.rate", phase.rate):
         yield Unknown(cid, f"{path}.rate", middle(phase.rate) if phase.rate is not None else 3.5)
     if phase.action in ("overtake", "accelerate") and is_open(f"{path}.speed", phase.speed):
-        yield Unknown(cid, f"{path}.speed", middle(phase.speed) if phase.speed is not None else max(speed, 5.0))
+        least = speeds.get("E" if phase.target == "ego" else str(phase.target), 0.0) + FASTER
+        faster = max(speed, least if phase.action == "overtake" else 5.0)
+        yield Unknown(cid, f"{path}.speed", middle(phase.speed) if phase.speed is not None else faster,
+                      least=least if phase.action == "overtake" else 0.0)  # fmt: skip

@@ -590,8 +590,8 @@ behavior BrakeFor(points, threats, least=2, release=0, stands=None):
     on it keeps behind those that drive ahead of it."""
     enough, slow = (release, math.inf) if stands is None else (stands, 0.2)
     eased, least = (0.6 * self.speed, least) if stands is None else (0, max(least, 2.5))
-    rate = lambda: max(least if self.speed > eased else min(least, 1),
-                       min(9 if self.speed > 2 else 4, 1.1 * braking_needed(self, threats)))
+    needed = lambda: max(1.1 * braking_needed(self, threats), needed_short_of_ways(self, points, _those(threats)))
+    rate = lambda: max(least if self.speed > eased else min(least, 1), min(9 if self.speed > 2 else 4, needed()))
     do Drive(points, 0, rate=rate) until self.speed < slow and no_closer(self, points, threats, enough)
     self.braked_for = threats
 
@@ -793,6 +793,12 @@ def way_round(car, points, others, side=0, room=0.8):
         return 0
     return (high if side > 0 else low) if side else min(low, high, key=abs)
 
+def passing_by(car, other, metres):
+    """How far (m) to the left of its points `car` is that comes up to another from behind and passes it `metres` to the
+    left: in the lane of that one until it is near."""
+    behind = -ahead_by(car, other) - car.length - other.length
+    return metres if behind < 4 + 2.5 * max(car.speed - other.speed, 1) else 0
+
 def leaving_room(car, points, other, room):
     """How far (m) to the left of its points `car` goes by another so that exactly `room` m are between them, on the side
     of its points; 0 while that is over 60 m ahead, or has been passed."""
@@ -911,16 +917,15 @@ def _needed(car, other):
     least = 0
     if braking > 2:  # as much as it, or what stops behind it where it will stand
         left = max(gap - 2 + motion.y ** 2 / (2 * braking), 0.3)
-        least = max(min(braking, 5.8), min(9, car.speed ** 2 / (2 * left)))
+        least = max(min(braking, 5.8) if gap < NEAR * car.speed else 0, min(9, car.speed ** 2 / (2 * left)))
     if closing <= 0.1:
         return least
     there = place.x + motion.x * max(gap, 0) / closing
     gone = place.x + motion.x * (max(gap, 0) + car.length + other.width) / closing
     if min(there, gone) > reach or max(there, gone) < -reach:
         return least
-    if gap < 2 + 0.7 * motion.y:
-        return 9
-    return max(least, closing ** 2 / (2 * max(gap - 2 - 0.5 * max(motion.y, 0), 0.3)))
+    keeps = min(KEEPS, closing ** 2 / (2 * max(gap - 2 - 0.5 * max(motion.y, 0), 0.3)))
+    return max(least, keeps, closing ** 2 / (2 * max(gap - 2, 0.3)))
 
 def braking_to_hit(car, other, speed):
     """The deceleration (m/s2, no more than tyres hold) at which `car` reaches `other`, ahead of it or about to be, at `speed`
@@ -941,7 +946,9 @@ def braking_to_hit_standing(car, lead, speed):
         no_sooner = car.speed ** 2 / (2 * max(rest - 1, 0.2))
     return max(0.1, min(8, max(at_all, no_sooner)))
 
+KEEPS = 4  # m/s2 at most with which one brakes only so as to keep half a second behind another
 CLOSE = 2.5  # s behind another within which one brakes as soon as that does
+NEAR = 1.2  # s behind another within which one brakes as hard as that does
 
 def in_way(points, other, room=1, seconds=0):
     """Whether `other` is within `room` m of the middle of a way, its points, or comes there in so many seconds."""
@@ -949,7 +956,7 @@ def in_way(points, other, room=1, seconds=0):
     there = shapely.affinity.translate(box, other.velocity.x * seconds, other.velocity.y * seconds)
     return line.distance(box.union(there).convex_hull if seconds else box) < room
 
-TOO_LATE = 4  # m/s2 that it takes when somebody who does not look notices that the one ahead stops
+TOO_LATE = 5  # m/s2 that it takes when somebody who does not look notices that the one ahead stops
 AFTER_IT = 0.6  # s after that one stands
 ROLLS_INTO = 1.5  # m/s at which it still hits that one
 REACTION_TIME = 0.3  # s from when somebody comes into view to a reaction
@@ -1100,7 +1107,8 @@ def no_closer(car, points, others, enough):
     more than so many m/s2."""
     ahead = [other for other in _those(others) if drives_there(car, points, other)]
     rest = [other for other in _those(others) if other is not car and other not in ahead]
-    return braking_needed(car, rest) <= enough and braking_needed(car, ahead) <= max(enough, 1) and all(
+    rest_needed = max(braking_needed(car, rest), needed_short_of_ways(car, points, rest))
+    return rest_needed <= enough and braking_needed(car, ahead) <= max(enough, 1) and all(
         car.speed <= following_speed(car, other, math.inf, headway=1) + 0.3 for other in ahead)
 
 def up_to(rest, speed, rate=2.5):
@@ -1153,6 +1161,24 @@ def short_of_ways(car, points, others, speed, rate=2.5, room=1):
     rests = [rest for rest, to_go in [meets_way(car, points, other) for other in others] if to_go > 0]
     gently = min(speed, car.speed + 2 * simulation().timestep)
     return up_to(min(rests) - room, gently, rate) if rests else gently
+
+def needed_short_of_ways(car, points, others):
+    """The deceleration (m/s2) with which `car` stops before its points lead it into the ways of those of the others that
+    drive across in front of it."""
+    crossing = [o for o in others if getattr(o, 'isVehicle', False) and o.speed > 0.5 and not could_stop(o)
+                and abs(math.sin(o.heading - car.heading)) > 0.3]
+    rests = [rest for rest, to_go in [meets_way(car, points, other) for other in crossing] if rest > 0 < to_go]
+    return car.speed ** 2 / (2 * max(min(rests) - 2, 0.3)) if rests else 0
+
+def needed_before_turn(car, points, other):
+    """The deceleration (m/s2) with which `car` stops before its points lead it across the way of one beside or behind
+    it that would be there together with it; 0: that one would not."""
+    rest, to_go = meets_way(car, points, other)
+    there, gone = rest / max(car.speed, 0.5), to_go / max(other.speed, 0.5)
+    comes = gone - (8 + other.length + car.width) / max(other.speed, 0.5)
+    if not rest > 0 < to_go or gone < there - SPARE or comes > there + (car.length + 2) / max(car.speed, 0.5) + SPARE:
+        return 0
+    return car.speed ** 2 / (2 * max(rest - 1, 0.3))
 
 def clear_of_ways(car, points, others):
     """Whether all of the others have gone by where the points of `car` lead it into their ways."""
@@ -1567,19 +1593,20 @@ def _exactly(lanes, places):
     return lanes and [place for place in places if len(place.lane.group.lanes) == lanes] or places
 
 def ordinary(places, speed=0):
-    """Of some places those that are meant where nothing is said of lanes, control and limits: where ego comes to no sign
-    and to no light, with the fewest lanes in ego's direction and then about as few on the other roads of the junction,
-    and with a posted limit that suits a speed (m/s); of each only where there are such."""
+    """Of some places those that are meant where nothing is said of lanes, control and limits: with a posted limit that
+    suits a speed (m/s), where ego comes to no sign and to no light, with the fewest lanes in ego's direction and then
+    about as few on the other roads of the junction; of each only where there are such."""
     facts = map_facts()
+    limits = facts.limits
+    if speed:
+        places = [p for p in places if 0.8 * speed <= limits.get(p.lane.road.id, 0) <= 1.6 * speed] or places
     for control in 'stop', 'signal':
         places = [p for p in places if not (p.turn and p.turn.intersection)
                   or (facts.sign(p.turn.startLane, p.turn.intersection) or '') != control] or places
     fewest = min([len(place.lane.group.lanes) for place in places], default=0)
     few = [place for place in places if len(place.lane.group.lanes) == fewest]
     sizes = {place: len(place.turn.intersection.incomingLanes) if place.turn and place.turn.intersection else 0 for place in few}
-    few = [place for place in few if sizes[place] <= min(sizes.values()) + 2]
-    limits = facts.limits
-    return speed and [p for p in few if 0.8 * speed <= limits.get(p.lane.road.id, 0) <= 1.6 * speed] or few
+    return [place for place in few if sizes[place] <= min(sizes.values(), default=0) + 2]
 
 def _longer(place, metres, over, lanes, ahead=False, exit=0):
     """The place with ego's lane of `metres` up to its end (`ahead`: from its start) and `exit` m behind the junction,

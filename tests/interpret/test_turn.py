@@ -1,5 +1,6 @@
 """What a turn of the chat is taken for, and what becomes of a correction."""
 
+import math
 from pathlib import Path
 from typing import Any
 
@@ -40,6 +41,22 @@ def test_what_a_turn_is_taken_for(monkeypatch: pytest.MonkeyPatch, case: dict[st
     assert turn.kind == case["kind"] and turn.reply == case.get("reply", turn.reply)
     assert bool(turn.edits) is (turn.kind == "edit" and "reply" not in case)
     assert bool(asked) is ("says" in case), "the model is asked of changes alone"
+
+
+@pytest.mark.parametrize(("text", "likely", "asks"), [
+    ("remove the second one", 0.9, False), ("remove the second one", 0.5, True), ("remove O2", 0.5, False),
+])  # fmt: skip
+def test_nobody_is_removed_who_may_not_be_meant(
+    monkeypatch: pytest.MonkeyPatch, text: str, likely: float, asks: bool
+) -> None:
+    class Unsure:
+        def answer(self, asked: str) -> Answer:
+            return Answer("-O2", 1, 1, (("-O2", math.log(likely)),))
+
+    monkeypatch.setattr("c2s_engine.interpret.learned.change.loaded", Unsure)
+    turn = route(text, SCENE)
+    assert bool(turn.edits) is not asks
+    assert turn.reply.startswith("Which one is to be removed? Say for example “remove O2”.") is asks
 
 
 @pytest.mark.parametrize("text", [

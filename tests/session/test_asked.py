@@ -153,7 +153,8 @@ def test_why_ego_hit_somebody_is_told_by_what_it_saw_and_did():
 
 
 def test_a_measure_is_explained_with_what_the_run_has_of_it():
-    assert answered("what is PET?", SHOWN).endswith("\nThere is none in the run: no paths cross.")
+    none = "\nThere is none in the run: nobody leaves a place that another then comes to."
+    assert answered("what is PET?", SHOWN).endswith(none)
     pair = SHOWN.measures[0].pairs[0].model_copy(update={"pet_s": 0.8})
     shown = SHOWN.model_copy(update={"measures": (SHOWN.measures[0].model_copy(update={"pairs": (pair,)}),)})
     assert answered("what is PET?", shown).endswith("post-encroachment time 0.8 s.")

@@ -212,7 +212,7 @@ def _with(cid: str, data: dict[str, Any], rest: str, line: str) -> dict[str, Any
         if name == "placement":
             placed |= {k: v for k, v in value.items() if k != "position" or "at" in names}
         elif name == "name":  # somebody who is called by its type
-            after |= {name: value} if bare and data.get("name") == data.get("type") else {}
+            after |= {name: value} if bare and data.get("name") == data.get("type", "car") else {}
         elif name not in ("type", "kind") or bare:
             after[name] = value
     for name in (w[1:] for w in words if w[0] == "-"):

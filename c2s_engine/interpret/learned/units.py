@@ -2,8 +2,10 @@
 
 import re
 from collections.abc import Iterator
+from functools import cache
 from typing import Any
 
+from c2s_engine.interpret import language
 from c2s_engine.interpret.learned.quantities import DIMENSIONS, UNITS, si
 from c2s_engine.structure.components import Structure
 
@@ -55,10 +57,22 @@ def _told(text: str) -> list[str]:
 
 
 def _written(text: str) -> Iterator[tuple[tuple[int, int], str, str]]:
-    """Where each quantity of a text stands, its number in digits and its unit."""
+    """Where each quantity of a text stands, its number in digits and its unit; of a speed without one km/h."""
+    found = []
     for match in _TOLD.finditer(text):
         unit = match[3].lower()
-        yield match.span(), match[1] or str(_number(match[2].lower())), WORDS.get(unit, unit)
+        found.append((match.span(), match[1] or str(_number(match[2].lower())), WORDS.get(unit, unit)))
+    starts = {start for (start, _), _, _ in found}
+    found += [(m.span(1), m[1], "km/h") for m in _bare_speed().finditer(text) if m.start(1) not in starts]
+    yield from sorted(found)
+
+
+@cache
+def _bare_speed() -> re.Pattern[str]:
+    """A number after a word for a speed, with nothing behind it that says what it counts."""
+    words, about = language.alternatives(language.table("trade")["speeds"]), "(?:about |around |roughly )?"
+    ends = r"(?=\s*(?:[,.;!?)]\s|[,.;!?)]?$|and\b|but\b))"
+    return re.compile(rf"\b(?:{words}) {about}(\d+(?:\.\d+)?){ends}", re.IGNORECASE)
 
 
 def _number(spelt: str) -> int:

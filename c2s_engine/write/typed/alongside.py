@@ -3,16 +3,21 @@
 from c2s_engine.maps.expressions import MANOEUVRE_TYPE
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
+from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Trigger
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, TURN, WIDTH, is_static, is_vehicle
-from c2s_engine.write.typed.usual import slows_before, turn_of
+from c2s_engine.write.typed.usual import slows_before, speed_of, turn_of
 
 RIDERS = {"bicycle", "motorcycle"}
 BESIDE = {"beside", "left_lane", "right_lane", "behind", "roadside", "partly_in_lane"}
 LATERAL = 1.0
 """m between the two across the road, where nothing says how far."""
-SLOWER = 0.85
-"""How fast ego comes up to its turn with a rider beside it, of that one's speed, where nothing says how fast."""
+SLOWER, SLOWLY = 0.85, 0.7
+"""How fast ego comes up to its turn with a rider beside it, of that one's speed, where nothing says how fast; how fast
+it still is then, where the rider comes from behind."""
+EARLY, COMES = 12, 8.3
+"""m before the intersection by which ego is as slow as that, and m/s at most at which it comes there."""
+COMES_UP = 6.5
+"""m/s of a rider who comes up to ego from behind, where nothing says how fast."""
 TURNS_AT = 4.5
 """m/s to which one slows that turns across a rider's way, where nothing says how fast it turns."""
 OVERTAKES = 3.0
@@ -53,18 +58,49 @@ def beside_ego(structure: Structure) -> Structure:
             room = {"lanes": max(place.lanes or 1, 2), "ego_lane": place.ego_lane or "rightmost"}
             place = place.model_copy(update=room)
             structure = structure.with_spec("R", place)
+        if spec.type == "bicycle" and spec.speed is None and _from_behind(spec) and _slows_for_turn(ego):
+            spec = spec.model_copy(update={"speed": COMES_UP})
         structure = structure.with_component(_placed(component, spec, ego, aside))
-        if ego.speed is None and spec.type in RIDERS:
-            rides = middle(spec.speed) if spec.speed is not None else DEFAULT_SPEED[spec.type]["road"]
-            ego = ego.model_copy(update={"speed": round(SLOWER * rides, 1)})
+        if spec.type in RIDERS and (changes := _let_up(spec, ego, place)):
+            ego = ego.model_copy(update=changes)
             structure = structure.with_spec("E", ego)
     return structure
 
 
+def _let_up(spec: ObjectSpec, ego: EgoSpec, place: PlaceSpec) -> dict[str, object]:
+    """How ego drives so that a rider comes up to it: as slowly as that takes, or slowing down in time for its turn."""
+    rides = middle(spec.speed) if spec.speed is not None else DEFAULT_SPEED[spec.type]["road"]
+    if _from_behind(spec) and _slows_for_turn(ego):
+        own, slow = min(middle(speed_of(ego, place)), COMES), round(SLOWLY * rides, 1)
+        own = own if ego.speed is None else middle(ego.speed)
+        near = EARLY + middle(slows_before(own, slow).value or 0.0)
+        there = Trigger(kind="place", place="intersection", value=round(near))
+        slower = Phase(action="brake", speed=slow, trigger=there)
+        return {"speed": own, "phases": (slower, *ego.phases)} if own > rides else {}
+    return {"speed": round(SLOWER * rides, 1)} if ego.speed is None else {}
+
+
+def _from_behind(spec: ObjectSpec) -> bool:
+    return "behind" in (spec.placement.position, spec.placement.along)
+
+
+def _slows_for_turn(ego: EgoSpec) -> bool:
+    """Whether nothing but its turn, or who comes up to it, makes ego slow down."""
+    calm = {"keep_lane", "brake", "collide", *TURN} >= {p.action for p in ego.phases}
+    return calm and all(p.trigger is None and p.speed is None for p in ego.phases) and ego.speed != 0
+
+
+def pulls_out(spec: ObjectSpec) -> bool:
+    """Whether one that comes by beside ego comes from behind it in its lane, and pulls out for that."""
+    return spec.placement.position == "behind"
+
+
 def _placed(component: Component, spec: ObjectSpec, ego: EgoSpec, aside: float) -> Component:
     passes = any(p.action == "overtake" for p in spec.phases)
-    where = {"position": "partly_in_lane", "side": "left" if aside > 0 else "right", "along": "behind",
-             "lateral": spec.placement.lateral if spec.placement.lateral is not None else LATERAL}  # fmt: skip
+    where: dict[str, object] = {}
+    if not pulls_out(spec):
+        where = {"position": "partly_in_lane", "side": "left" if aside > 0 else "right", "along": "behind",
+                 "lateral": spec.placement.lateral if spec.placement.lateral is not None else LATERAL}  # fmt: skip
     changes: dict[str, object] = {"placement": spec.placement.model_copy(update=where)}
     phases = tuple(p for p in spec.phases if p.action not in ("overtake", "keep_lane", "follow"))
     goes = () if any(p.action in TURN for p in phases) else (Phase(action="go_straight"),)

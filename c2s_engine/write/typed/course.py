@@ -6,7 +6,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase
 from c2s_engine.write.typed import lateral, pockets, scope
-from c2s_engine.write.typed.alongside import offset
+from c2s_engine.write.typed.alongside import offset, pulls_out
 from c2s_engine.write.typed.lanes import oncoming
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.stations import outwards, parked_in_way
@@ -258,7 +258,7 @@ def _aside(actor: Actor) -> str:
         return squeezes
     ego = actor.structure.ego.spec
     if isinstance(ego, EgoSpec) and (beside := offset(spec, ego, actor.plan.place)):
-        return scope.number(beside)
+        return f"lambda: passing_by(self, ego, {scope.number(beside)})" if pulls_out(spec) else scope.number(beside)
     if rides_beside(spec) and min(actor.plan.offsets) >= 0:
         return scope.number(-(HALF_LANE + outwards(spec)))
     if spec.placement.position != "partly_in_lane" or spec.type not in ("bicycle", "motorcycle"):

@@ -144,7 +144,14 @@ def lane_is_cleared(phase: Phase, other: ObjectSpec | EgoSpec | None) -> bool:
     """Whether whom one overtakes leaves its lane to let it by, or has left it by what the overtaking waits for."""
     t = phase.trigger
     left = t is not None and t.kind == "action" and t.action in LEAVES and (t.of or "ego") == (phase.target or "ego")
-    return left or leaves_lane(other)
+    return left or leaves_lane(other) or _moves_over(other, phase.side or "left")
+
+
+def _moves_over(spec: ObjectSpec | EgoSpec | None, side: str) -> bool:
+    """Whether one changes lanes, of its own accord and first of all, to another side than by which it is overtaken."""
+    first = next((p for p in getattr(spec, "phases", ()) if p.action != "keep_lane"), None)
+    over = first is not None and first.action == "lane_change" and not first.abandoned
+    return over and first.trigger is None and (first.side or "left") != side  # type: ignore[union-attr]
 
 
 def leaves_behind(spec: ObjectSpec | EgoSpec) -> bool:

@@ -14,8 +14,6 @@ from c2s_engine.write.typed.stations import parked_in_way
 from c2s_engine.write.typed.tables import HALF_LANE, LANE_NAME, WIDTH, is_static, is_vehicle
 from c2s_engine.write.typed.threats import hits_ego, is_hit, members
 
-SPARE = 0.2
-"""m more than is said that one keeps aside."""
 INSIDE = 2.3
 """m that riders keep aside from the middle of a car's lane where they pass it on the inside."""
 BACK = "for 4 seconds"
@@ -23,6 +21,10 @@ WARY = 3.0
 """m/s: so much as if it came nearer faster one slows down sooner who has to wait first."""
 HEADWAY = 1.2
 """s behind whom one waits to overtake."""
+CLOSE, BRAKES = 8.0, 4.0
+"""m behind one that is to clear the lane for it, from where, and m/s2 with which it brakes where that takes long."""
+THREATENED, SPOILED = 6.0, 3.5
+"""s until one that comes towards it is there, as it pulls out nevertheless, and as it gives up."""
 TOO_EARLY = -14
 """m that one is ahead of whom it overtakes, bumper to bumper, when it comes back so early that they touch."""
 BREAKS_OFF = {"brake", "swerve", "collide", "stop", "leave_road", "lane_change"}
@@ -44,9 +46,11 @@ def overtakes(c: Course, p: Phase) -> list[Step]:
     if not c.oncoming_both(p) and lane_is_cleared(p, c.party(p.target)):
         away = scope.number(round(HALF_LANE + WIDTH[c.party(p.target).type] / 2, 1))  # type: ignore[union-attr]
         gone = f"until {LANE_NAME[c.lane or 0]}.centerline.distanceTo({c.actor.ref(p.target)}.position) > {away}"
+        near = CLOSE + max(c.value - c.target_speed(p), 0.0) ** 2 / (2 * BRAKES)
         behind = c.drive(f"lambda: following_speed(self, {nearest(c, p)}, {c.actor.speed}, {HEADWAY})", 4)
         c.behind = ""
-        return [([behind], gone), ([c.drive()], f"until {past}")]
+        comes_up = f"{gone} or gap(self, {c.actor.ref(p.target)}) < {scope.number(round(near))}"
+        return [([c.drive()], comes_up), ([behind], gone), ([c.drive()], f"until {past}")]
     waits = _waits(c, p)
     home, step = c.lane, -1 if p.side == "right" else 1
     changes = home is not None and not c.oncoming_both(p) and not _by_offset(c, p)
@@ -74,13 +78,15 @@ def _kept_aside(c: Course, p: Phase) -> float:
     whom = c.other(p.target)
     if not rooms or whom is None:
         return 0.0
-    return round(max(rooms) + SPARE + (WIDTH[c.actor.spec.type] + WIDTH[whom.type]) / 2, 1)
+    return round(max(rooms) + (WIDTH[c.actor.spec.type] + WIDTH[whom.type]) / 2, 1)
 
 
 def pulls_out(c: Course, p: Phase) -> str:
     """The condition under which it is time to pull out behind whom it overtakes; "": that one clears the lane."""
     if lane_is_cleared(p, c.party(p.target)):
         return ""
+    if comes := _spoiling(c, p):
+        return f"until ttc(self, {comes}) < {scope.number(THREATENED)}"
     closing = max(_top(c, p) - c.target_speed(p), faster(c.other(p.target)))
     if _waits(c, p):
         closing += WARY
@@ -109,7 +115,19 @@ def _breaks_off(c: Course, p: Phase, out: list[str], back: list[str], aside: str
         return [(out, "")]
     slower = [slower[0].replace(", offset", ", rate=5, offset")]
     home: list[Step] = [(slower, f"until ahead_by({other}, self) > 1"), ([*back[:-1], c.drive(behind, 5)], BACK)]
-    return [(out, f"until ahead_by({other}, self) < {scope.number(to_slow(closing))}"), *home]
+    comes, near = _spoiling(c, p), scope.number(to_slow(closing))
+    cause = f"ttc(self, {comes}) < {scope.number(SPOILED)}" if comes else f"ahead_by({other}, self) < {near}"
+    return [(out, f"until {cause}"), *home]
+
+
+def _spoiling(c: Course, p: Phase) -> str:
+    """Who comes towards one that begins to overtake, for whom it breaks off where S says no other; "": nobody."""
+    if not p.abandoned or p.trigger is not None or _spoiled_by(c, p) is not None or not _by_offset(c, p):
+        return ""
+    comes = [o.id for o in c.actor.structure.objects if isinstance(o.spec, ObjectSpec) and comes_towards(o.spec)]
+    if not c.actor.is_ego:
+        comes = ["ego"] if c.oncoming else [cid for cid in comes if cid not in (c.actor.cid, p.target)]
+    return c.actor.ref(comes[0]) if comes else ""
 
 
 def _spoiled_by(c: Course, p: Phase) -> Phase | None:
@@ -146,7 +164,7 @@ def _waits(c: Course, p: Phase) -> list[Step]:
     after = {q.action for q in ego.phases[ego.phases.index(p) + 1 :]} if p in ego.phases else set()
     if after & BREAKS_OFF or p.abandoned:
         return []
-    comes = [o for o in c.actor.structure.objects if isinstance(o.spec, ObjectSpec) and _comes(o.spec)]
+    comes = [o for o in c.actor.structure.objects if isinstance(o.spec, ObjectSpec) and comes_towards(o.spec)]
     if any(o.id == ego.react_to or hits_ego(o.spec) or is_hit(ego, o.id) for o in comes):  # type: ignore[arg-type]
         return []
     gone = [f"(passed({one}, self, 0) or {one}.speed < 0.3)" for o in comes for one in members(c.actor.structure, o.id)]
@@ -154,7 +172,7 @@ def _waits(c: Course, p: Phase) -> list[Step]:
     return [([behind], f"until {' and '.join(gone)}")] if gone else []
 
 
-def _comes(spec: ObjectSpec) -> bool:
+def comes_towards(spec: ObjectSpec) -> bool:
     """Whether somebody drives towards ego in the next lane."""
     return spec.placement.position == "oncoming_lane" and is_vehicle(spec.type) and not is_static(spec)
 

@@ -1,5 +1,6 @@
 """Overtaking in closed form: by which side, how much slower one is who is overtaken, how far apart the two start."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -32,6 +33,11 @@ BESIDE = 1.5
 """m between one on two wheels and who passes it in their own lane or over its left line."""
 GAINS = 3.0
 """m/s2 at which one speeds up to overtake."""
+CALMLY, SLACK, STANDSTILL = 2.5, 3.75, 4.0
+"""m/s2, m/s (its braking over its time gap) and m by which one comes up to another that it then follows, as
+`following_speed` of the driving library has it."""
+CAUGHT_UP = 2.0
+"""m/s by which one is still faster when it follows."""
 NARROW = {"bicycle", "motorcycle"}
 CALM = {"keep_lane", "move_along", "follow", "go_straight"}
 
@@ -50,6 +56,7 @@ class Overtaking:
     bodies: float
     begins: float
     one_lane: bool = True
+    follows: bool = False
 
     @property
     def closing(self) -> float:
@@ -62,7 +69,10 @@ class Overtaking:
 
     @property
     def gap(self) -> float:
-        """The gap (m) at the start from which it is the one at which one pulls out when it `begins`."""
+        """The gap (m) at the start from which it is the one at which one pulls out when it `begins`; the one from which
+        who follows first slows down for that."""
+        if self.follows and self.start > self.other + CAUGHT_UP:
+            return ((self.start + SLACK) ** 2 - SLACK**2 - self.other**2) / (2 * CALMLY) + STANDSTILL
         return max(self.pull_out + (self.start - self.other) * self.begins, self.pull_out)
 
     @property
@@ -90,6 +100,14 @@ class Overtaking:
     def _gained(self, metres: float) -> float:
         lost = max(self.speed - self.start, 0.0) ** 2 / (2 * GAINS)
         return self.begins + (metres + lost) / self.closing
+
+
+def caught_up(speed: float, other: float) -> float:
+    """When (s) one that comes up to another, from where it begins to slow down for that, plainly follows it."""
+    closing = speed - other
+    if closing <= CAUGHT_UP:
+        return 0.0
+    return (closing - CAUGHT_UP + (other + SLACK) * math.log(closing / CAUGHT_UP)) / CALMLY
 
 
 def pull_out(closing: float, abandoned: bool = False) -> float:
@@ -142,13 +160,14 @@ def overtakings(structure: Structure, place: PlaceSpec) -> Iterator[Overtaking]:
             continue
         if phase.abandoned and any(p.trigger for p in spec.phases[at + 1 : at + 2]):  # that says when
             phase = phase.model_copy(update={"abandoned": False})
-        begins = FOLLOWS if any(p.action == "follow" for p in spec.phases[at - 1 : at]) else UNDISTURBED
+        follows = any(p.action == "follow" for p in spec.phases[max(at - 1, 0) : at])
+        start, slow = middle(speed_of(spec, place)), _slow(other, objects, place)
+        begins = max(FOLLOWS, caught_up(start, slow)) if follows else UNDISTURBED
         if phase.trigger is not None and phase.trigger.kind == "time" and phase.trigger.value is not None:
             begins = middle(phase.trigger.value)
-        start, slow = middle(speed_of(spec, place)), _slow(other, objects, place)
         speed = middle(phase.speed) if phase.speed is not None else max(start, slow + faster(other))
         bodies = LENGTH[spec.type] + LENGTH[other.type]
-        yield Overtaking(component.id, whom, phase, start, speed, slow, bodies, begins, rows[0] == rows[1])
+        yield Overtaking(component.id, whom, phase, start, speed, slow, bodies, begins, rows[0] == rows[1], follows)
 
 
 def _slow(spec: EgoSpec | ObjectSpec, objects: dict[str, ObjectSpec], place: PlaceSpec) -> float:
@@ -175,8 +194,9 @@ def _slower(structure: Structure, place: PlaceSpec, one: Overtaking) -> Structur
     """Who is overtaken is clearly slower: it where its speed is open, else who overtakes it is faster."""
     slow, fast = structure[one.whom if one.whom != "ego" else "E"], structure[one.who]
     least = faster(slow.spec)  # type: ignore[arg-type]
-    follows = any(p.action == "follow" for p in getattr(fast.spec, "phases", ())[:1])
-    if follows and one.whom == "ego" and getattr(fast.spec, "speed", None) is None and not _states_speed(fast.spec):
+    first = next(iter(getattr(fast.spec, "phases", ())), None)
+    follows = first is not None and first.action == "follow" and (first.target or "ego") == one.whom
+    if follows and getattr(fast.spec, "speed", None) is None and not _states_speed(fast.spec):
         return structure.with_spec(one.who, speed=one.other)  # it is faster from when it pulls out
     if one.phase.speed is None and one.start - one.other >= least:
         return structure

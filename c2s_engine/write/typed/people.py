@@ -210,6 +210,7 @@ def walker(structure: Structure, cid: str, plan: Plan) -> list[str]:
         if phase.action in ACROSS:
             if i == 0:
                 lines.append(f"do Stand() until {_sets_out(structure, cid, spec, phase, plan, own)}")
+                lines[-1] += _as_it_comes_out(structure, spec, phase, plan)
                 if phase.trigger and phase.trigger.delay is not None:
                     lines.append(f"do Stand() for {scope.quantity(phase.trigger.delay)} seconds")
             lines.append(f"do Walk({heading}, {own}, {_how_far(structure, cid, phase, then, heading)}){until}")
@@ -385,6 +386,14 @@ def _come_out(structure: Structure, spec: ObjectSpec, t: Trigger, plan: Plan) ->
         return t
     sooner = plan.ego_top * inside(hider) / max(middle(pace_of(spec)), 0.5)
     return t.model_copy(update={"value": (round(low(t.value) + sooner, 1), round(high(t.value) + sooner, 1))})
+
+
+def _as_it_comes_out(structure: Structure, spec: ObjectSpec, phase: Phase, plan: Plan) -> str:
+    """A comment that says why somebody hidden sets out sooner than at the distance that S says; "": it does not."""
+    t = phase.trigger
+    if t is None or t.value is None or not _tells_when(t) or _come_out(structure, spec, t, plan) == t:
+        return ""
+    return f"  # {scope.number(middle(t.value))} m away as it comes out from behind what hides it"
 
 
 def _sets_out(

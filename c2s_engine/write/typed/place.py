@@ -26,7 +26,7 @@ def write_place(plan: Plan) -> str:
     lines = []
     if plan.place.speed_limit is not None:
         lines.append(f"param speed_limit = {number(round(plan.place.speed_limit * 3.6))}  # km/h, as posted")
-    if _ordinary(plan):
+    if plan.ordinary:
         lines += call(plan).lines("place = Uniform(*ordinary(", f"{_suits(plan)}))")
     else:
         lines += call(plan).lines("place = Uniform(*", ")")
@@ -78,11 +78,6 @@ def call(plan: Plan, share: float = 0.0, across: bool = False) -> Call:
 def sources(plan: Plan) -> tuple[str, ...]:
     """The ways by which others reach ego's junction, as the library takes them."""
     return tuple(_from(plan, position, turn) for position, turn in plan.ways_of_others)
-
-
-def _ordinary(plan: Plan) -> bool:
-    """Whether S says that the roads of a junction have one lane in each direction: the others are as small, too."""
-    return plan.single and plan.place.kind in JUNCTION
 
 
 def _suits(plan: Plan) -> str:

@@ -4,7 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec
 from c2s_engine.write.typed import ahead, meetings, pockets, scope, stations
-from c2s_engine.write.typed.alongside import offset
+from c2s_engine.write.typed.alongside import offset, pulls_out
 from c2s_engine.write.typed.beside import before_crosswalk, behind_junction, beside_road, by_door
 from c2s_engine.write.typed.hiding import aside, hidden, to_kerb
 from c2s_engine.write.typed.place import approach_name
@@ -118,7 +118,7 @@ def _on_lane(structure: Structure, cid: str, spec: ObjectSpec, plan: Plan) -> Sp
     if plan.place.kind == "on_ramp" and k > 0:  # the lanes meet at their ends
         reached = f"min(-1, {reached} - place.lane.centerline.length)"
     specifiers: tuple[str, ...] = (f"at {lane}.centerline.pointAlongBy({reached})",)
-    if side := way_beside or aside(structure, cid, plan):
+    if side := (0.0 if pulls_out(spec) else way_beside) or aside(structure, cid, plan):
         specifiers = (
             f"at beside({lane}.centerline, {lane}, {reached}, {scope.number(-side)})",
             "with regionContainedIn everywhere",

@@ -25,6 +25,7 @@ class Plan:
     pockets: tuple[tuple[str, str], ...] = ()  # (position, turn type of who drives past) of those
     oncoming: bool = False
     single: bool = False  # a road with one lane each way
+    ordinary: bool = False  # a road as most are: nothing says how many lanes it has, and nobody needs a second one
     ramp: bool = False
     stops: tuple[str, ...] = ()  # positions of those who pass a stop sign of their own
     priority: tuple[str, ...] = ()  # positions of those who cross and need not stop where ego has a sign

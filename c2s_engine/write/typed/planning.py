@@ -34,8 +34,9 @@ FAST = 11.5
 def make_plan(structure: Structure, room: float = 1.0) -> Plan:
     """Decide what the place must offer; raises ResolveError. Where the specs leave the way to a junction open, `room`
     shortens it for maps with short roads."""
-    place, ego = structure.place.spec, structure.ego.spec
-    assert isinstance(place, PlaceSpec) and isinstance(ego, EgoSpec)
+    said, ego = structure.place.spec, structure.ego.spec
+    assert isinstance(said, PlaceSpec) and isinstance(ego, EgoSpec)
+    place = said
     restrictions = structure.restrictions.spec
     objects = {c.id: c.spec for c in structure.objects if isinstance(c.spec, ObjectSpec)}
     two_way = place.oncoming is True and place.kind in ("road", "straight", "curve")
@@ -88,7 +89,8 @@ def make_plan(structure: Structure, room: float = 1.0) -> Plan:
         stops=tuple(sorted({o.placement.position for o in objects.values() if _runs_stop(o)} & APPROACH_ANGLE.keys())),
         priority=_priority_roads(place, objects),
         oncoming=oncoming,
-        single=_single(structure.place.spec, place, two_way) and offsets == {0},  # type: ignore[arg-type]
+        single=_single(said, place, two_way) and offsets == {0},
+        ordinary=_ordinary(said, place, two_way, ramp) and offsets == {0},
         ramp=ramp,
         exit_room=rooms.behind_junction(objects, speed, place),
         lane_of=lane_of,
@@ -142,6 +144,19 @@ def _with_room(structure: Structure, plan: Plan) -> Plan:
 def _single(said: PlaceSpec, place: PlaceSpec, two_way: bool) -> bool:
     """Whether ego's road has one lane in its direction: as is said, or as roads with two directions have."""
     return said.lanes == 1 and (two_way or place.kind in JUNCTION) or two_way and said.lanes is None
+
+
+def _ordinary(said: PlaceSpec, place: PlaceSpec, two_way: bool, ramp: bool) -> bool:
+    """Whether a road is meant as most are: S says that the roads of a junction have one lane in each direction, the
+    others are as small, too; or it says nothing of lanes."""
+    if place.kind in JUNCTION:
+        return _single(said, place, two_way) or place.kind == "intersection" and _of_lanes(said) is None
+    return place.kind in ("road", "straight", "curve", "crosswalk") and _of_lanes(said) is None and not ramp
+
+
+def _of_lanes(said: PlaceSpec) -> int | str | None:
+    """What S says of the lanes in ego's direction."""
+    return said.lanes or said.ego_lane
 
 
 def _runs_stop(o: ObjectSpec) -> bool:

@@ -70,6 +70,8 @@ def _guarded(actor: Actor, statements: list[str], reacts: bool = False) -> list[
     gone_round = {_about(p) or spec.react_to for p in spec.phases if p.action in (*ASIDE, "overtake", "oncoming")}
     apart = {*gone_round, *([spec.react_to] if spec.reaction == "follow" else [])}
     apart |= {p.target for p in spec.phases if p.clearance is not None and p.trigger is None}  # with room of its own
+    if any(p.action == "overtake" and p.abandoned for p in spec.phases):  # that is how it answers them
+        apart |= {c.id for c in s.objects if _position(s, c.id) == "oncoming_lane"}
     cids = [c for c in threatening(s) if c not in apart and not is_hit(spec, c) and not _stays_behind(s, c)]
     heeded = {name for line in statements if line.startswith("interrupt") for name in re.findall(r"\w+", line)}
     strikers = _strikers(s, cids)
@@ -104,7 +106,8 @@ def _reaction(actor: Actor, statements: list[str]) -> list[str]:
     round_it |= {p.target for p in spec.phases if p.clearance is not None}  # or keeps its own room to them
     broken_off = any(p.action == "overtake" and p.abandoned for p in spec.phases)  # that is how it answers them
     round_it |= {c for c in cids if broken_off and _position(actor.structure, c) == "oncoming_lane"}
-    cids = [c for c in cids if c not in round_it]  # ego drives past these
+    said = {p.target for p in spec.phases if p.action == "brake" and p.rate is not None and p.trigger is None}
+    cids = [c for c in cids if c not in (*round_it, *said)]  # ego drives past these, or brakes as hard as S says
     if spec.reaction != "brake" or not cids or spec.react_to in {c for c in round_it if _stands(actor.structure, c)}:
         return statements
     strikers = [] if hit else _strikers(actor.structure, cids)

@@ -143,7 +143,8 @@ def to_merge_end(ego: EgoSpec, objects: dict[str, ObjectSpec]) -> bool:
 
 def _to_pass(o: ObjectSpec, ego_speed: float, place: PlaceSpec) -> float:
     """How far (m) ego drives until it is well past a slower rider at the edge of its lane."""
-    if o.placement.position != "partly_in_lane" or is_static(o) or not is_vehicle(o.type) or ego_speed <= 0:
+    ahead = o.placement.position == "partly_in_lane" and o.placement.along != "behind"
+    if not ahead or is_static(o) or not is_vehicle(o.type) or ego_speed <= 0:
         return 0
     gap = middle(o.placement.gap) if o.placement.gap is not None else default_gap(o, ego_speed, place)
     closing = 1 - middle(speed_of(o, place)) / ego_speed

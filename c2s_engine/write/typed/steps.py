@@ -6,6 +6,7 @@ from collections.abc import Callable
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import lateral, scope, traffic
+from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.causes import comes, drives_ahead
 from c2s_engine.write.typed.collisions import (
     Step,
@@ -149,6 +150,9 @@ def _brake(c: Course, p: Phase) -> list[Step]:
     lead = p.target or (getattr(c.actor.spec, "react_to", None) if c.actor.is_ego else None)
     if p.speed is None and p.trigger is None and lead and drives_ahead(c, lead):  # to as far behind as one drives
         return [([c.drive(c.pacing(lead, c.speed), rate if p.rate else AT_MOST)], ending(p, "for 4 seconds"))]
+    if c.actor.is_ego and (beside := c.other(p.target)) and offset(beside, c.actor.spec, c.actor.plan.place):  # type: ignore
+        before = f"short_of_ways(self, line, [{c.actor.ref(p.target)}], {c.speed}, rate={scope.number(rate)})"
+        return [([c.drive(f"lambda: {before}", 9)], f"until clear_of_ways(self, line, [{c.actor.ref(p.target)}])")]
     full = (
         rate >= FULL and not c.actor.is_ego and p is c.actor.spec.phases[-1]
     )  # who slams the brakes on comes to a stand

@@ -49,7 +49,14 @@ def threatening(structure: Structure) -> list[str]:
     objects = [(c.id, c.spec) for c in structure.objects if isinstance(c.spec, ObjectSpec) and c.spec.type not in FLAT]
     cause = getattr(structure.ego.spec, "react_to", None)
     evaded = cause if parked_in_way(structure, cause) else None
-    return [i for i, o in objects if o.placement.position in IN_WAY or not is_static(o) or i == evaded]
+    moving = [i for i, o in objects if not is_static(o) and (i == cause or not _halts_at_edge(o))]
+    return [i for i, o in objects if o.placement.position in IN_WAY or i in moving or i == evaded]
+
+
+def _halts_at_edge(spec: ObjectSpec) -> bool:
+    """Whether somebody beside the road comes no further than its edge, whatever it looks like until then."""
+    broken_off = [p.abandoned for p in spec.phases if p.action == "cross_road"]
+    return bool(broken_off) and all(broken_off) and not {"enter_road", "collide"} & {p.action for p in spec.phases}
 
 
 def standing(structure: Structure, lane_of: dict[str, int | None]) -> str | None:
@@ -156,14 +163,14 @@ def slowed(actor: Actor, target: str | None) -> str:
     actions = {p.action for p in ego.phases}
     if middle(ego.speed or 1) == 0 and not actions & {"start", "accelerate", "enter_road"}:
         return ""  # it stands from the first
-    if actions & {"stop", "wait", "stationary"} or ego.reaction in ("brake", "yield") and _stops_ego(actor.structure):
+    if actions & {"stop", "wait", "stationary"} or ego.reaction in ("brake", "yield") and stops_ego(actor.structure):
         return STANDS
     if ego.reaction in ("brake", "yield") and len(actor.structure.objects) > 1 or "brake" in actions:
         return "ego.speed < EGO_SPEED - 2.5"
     return ""
 
 
-def _stops_ego(structure: Structure) -> bool:
+def stops_ego(structure: Structure) -> bool:
     """Whether somebody is in ego's way who makes it stop: on foot, standing, or coming to a stand."""
     if on_foot(structure):
         return True

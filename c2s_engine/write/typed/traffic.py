@@ -27,12 +27,18 @@ from c2s_engine.write.typed.ahead import (
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.lateral import LATERAL, to_line
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, LENGTH, is_static, is_vehicle
+from c2s_engine.write.typed.threats import stops_ego
 from c2s_engine.write.typed.usual import default_gap, speed_of
 
 ALIKE = 0.4
 """m by which two gaps are the same."""
-TO_STAND = 6.0
-"""s until ego stands for somebody."""
+STOPS, FORCED, LATE = 3.5, 4.5, 5.0
+"""m/s2 with which ego comes to a stand where nothing says how hard, of its own accord and for somebody; with which one
+brakes then that looks up too late."""
+AFTER_IT, STILL = 0.6, 1 / 3
+"""s after ego stands by which that one reaches it, and how fast it still is, of its own speed."""
+FURTHEST_BEHIND = 150.0
+"""m"""
 LATEST = 12.0
 """s after the start by which two have come as near as is said."""
 SLOWER, FASTER = 0.8, 1.15
@@ -96,20 +102,28 @@ def _at_pace(structure: Structure) -> Structure:
 
 
 def _late_behind(structure: Structure) -> Structure:
-    """Those behind ego that hit it once it stands so far off that a faster one does not come up to it before."""
+    """Those behind ego that look up too late and hit it once it stands, nobody says from how far: so far off that they
+    still have a part of their speed then."""
     ego, place = structure.ego.spec, structure.place.spec
     assert isinstance(ego, EgoSpec) and isinstance(place, PlaceSpec)
-    if ego.reaction not in ("brake", "yield") and all(p.action != "stop" for p in ego.phases):
+    own, stop = middle(speed_of(ego, place)), next((p for p in ego.phases if p.action == "stop"), None)
+    forced = ego.reaction in ("brake", "yield") and stops_ego(structure)
+    if own <= 0 or stop is None and not forced:
         return structure
-    own = middle(speed_of(ego, place))
+    rate = middle(stop.rate) if stop is not None and stop.rate is not None else FORCED if forced else STOPS
+    begun = max(begins(structure, cid) for cid in ("E", *(c.id for c in structure.objects if forced)))
+    stands, metres = begun + own / rate, own * begun + own**2 / (2 * rate)
     for component in structure.objects:
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
-        at, faster = spec.placement, middle(speed_of(spec, place)) - own
-        hits = any(p.action == "collide" and p.target in (None, "ego") for p in spec.phases)
-        if (at.position, at.of, at.gap) == ("behind", "ego", None) and hits and faster > ALIKE and _drives(spec):
-            gap = round(default_gap(spec, own, place) + TO_STAND * faster, 1)
-            structure = structure.with_spec(component.id, placement=at.model_copy(update={"gap": gap}))
+        at, speed = spec.placement, middle(speed_of(spec, place))
+        only_hits = [(p.action, p.target or "ego", p.speed) for p in spec.phases] == [("collide", "ego", None)]
+        if (at.position, at.of, at.gap) != ("behind", "ego", None) or not only_hits or not _drives(spec):
+            continue
+        brakes = (1 - STILL) * speed / LATE
+        gap = speed * (stands + AFTER_IT - brakes) + (1 + STILL) / 2 * speed * brakes - metres
+        gap = round(min(max(gap, default_gap(spec, own, place)), FURTHEST_BEHIND), 1)
+        structure = structure.with_spec(component.id, placement=at.model_copy(update={"gap": gap}))
     return structure
 
 

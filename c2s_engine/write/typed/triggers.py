@@ -5,13 +5,14 @@ from c2s_engine.structure.objects import SLOWS
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import ahead, lateral, scope, traffic
+from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.causes import because, drives_ahead
 from c2s_engine.write.typed.collisions import hit_beside, hit_next, too_late
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.evasion import last_moment
 from c2s_engine.write.typed.facing import AHEAD
 from c2s_engine.write.typed.overtakings import pulls_out
-from c2s_engine.write.typed.passing import FOLLOWS
+from c2s_engine.write.typed.passing import CAUGHT_UP, FOLLOWS
 from c2s_engine.write.typed.people import REACTS, comes_out
 from c2s_engine.write.typed.reach import EVADED_AT
 from c2s_engine.write.typed.stations import parked_in_way
@@ -37,6 +38,8 @@ CAN_STOP = 10
 """Twice the m/s2 at which one stops for a light that changes."""
 BEFORE_IT = 2.0
 """m before a crosswalk by which one has slowed down for it."""
+AT_LAST = 4.0
+"""m/s2 that it takes when ego notices one beside it whose way it turns across."""
 NEAR_BY = 8.0
 """m before one beside its way by which ego has slowed down for it."""
 TO_END = 6.0
@@ -124,6 +127,8 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
         limit = (2 if still else 1.2) if aside else 4 if hard else 2
         them = once_seen(a.structure, [cid])[0] if cid else a.ref(cid)
         need = f"braking_needed(self, {them.removeprefix('*')})"
+        if cid and (beside := course.other(cid)) and offset(beside, a.spec, a.plan.place):  # type: ignore[arg-type]
+            need, limit = f"needed_before_turn(self, line, {a.ref(cid)})", max(limit, AT_LAST)
         met = any(p.action == "collide" for p in a.spec.phases)
         also = f" or near(self, {a.ref(cid)})" if met else ""
         if phase.action == "stop" and is_stopped(a.spec) and not on_foot(a.structure) and a.value > 0:
@@ -148,7 +153,12 @@ def implicit(course: Course, phase: Phase, first: bool = True) -> str:
     ):
         if course.target_speed(phase) > 0:  # it may follow
             calm, follows = {p.action for p in before} <= traffic.CALM, any(p.action == "follow" for p in before[-1:])
+            soon = pulls_out(course, phase) if phase.abandoned else ""
+            if soon.startswith("until ttc"):
+                return soon
             if calm and (follows or course.value < course.target_speed(phase) + NO_FASTER):
+                if follows and course.value > course.target_speed(phase) + CAUGHT_UP:
+                    return f"until self.speed < {a.ref(phase.target)}.speed + {scope.number(CAUGHT_UP)}"
                 return f"for {FOLLOWS} seconds" if follows else _undisturbed(a)
             return pulls_out(course, phase)
         return "" if _stood(a, phase) else _before(course, phase.target)
@@ -295,6 +305,8 @@ def _confronted(course: Course, phase: Phase) -> bool:
     spec = a.structure[cid].spec
     if not isinstance(spec, ObjectSpec) or phase.action == "stop" and _stays_opposite(spec):
         return False
+    if offset(spec, a.spec, a.plan.place):  # type: ignore[arg-type]
+        return True  # ego turns across its way
     if spec.placement.position == "behind" or spec.placement.along == "behind":
         comes = any(p.action in ("cut_in", "overtake") for p in spec.phases) and phase.action in ("brake", "stop")
         return comes and getattr(a.spec, "reaction", "") != "yield"  # else it has been let by

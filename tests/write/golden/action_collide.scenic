@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(length=435, speed=20))
+place = Uniform(*ordinary(stretches(length=435, speed=20), speed=10))
 EGO_AT = Range(35, 55)  # m along its lane
 
 ## E

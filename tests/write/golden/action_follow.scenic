@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(length=330, min_length=82))
+place = Uniform(*ordinary(stretches(length=330, min_length=82), speed=12))
 EGO_AT = Range(30, 50)  # m along its lane
 
 ## E

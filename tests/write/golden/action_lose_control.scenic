@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(length=325, min_length=82, speed=15))
+place = Uniform(*ordinary(stretches(length=325, min_length=82, speed=15), speed=14))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E

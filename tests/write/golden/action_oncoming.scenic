@@ -7,7 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(length=375, min_length=180, ego_lane='leftmost', oncoming=True))
+place = Uniform(*ordinary(stretches(length=375, min_length=180, ego_lane='leftmost',
+    oncoming=True), speed=10))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E

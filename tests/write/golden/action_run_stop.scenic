@@ -7,8 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*junctions(STRAIGHT, control='stop', approach=69,
-    others=[From('right', sign='stop')]))
+place = Uniform(*ordinary(junctions(STRAIGHT, control='stop', approach=69,
+    others=[From('right', sign='stop')]), speed=11))
 EGO_TO_JUNCTION = 44  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

@@ -7,8 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*junctions(STRAIGHT, control='none', approach=69,
-    others=[From('left', RIGHT_TURN)]))
+place = Uniform(*ordinary(junctions(STRAIGHT, control='none', approach=69,
+    others=[From('left', RIGHT_TURN)]), speed=11))
 EGO_TO_JUNCTION = 44  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

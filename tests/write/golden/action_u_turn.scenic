@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(length=225, min_length=92, oncoming=True, lanes=1))
+place = Uniform(*ordinary(stretches(length=225, min_length=92, oncoming=True, lanes=1), speed=8))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E

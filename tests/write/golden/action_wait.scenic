@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*stretches(length=275, min_length=92))
+place = Uniform(*ordinary(stretches(length=275, min_length=92), speed=10))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E

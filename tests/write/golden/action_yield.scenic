@@ -7,8 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*junctions(LEFT_TURN, control='yield', approach=69,
-    others=[From('right', priority=True)]))
+place = Uniform(*ordinary(junctions(LEFT_TURN, control='yield', approach=69,
+    others=[From('right', priority=True)]), speed=11))
 EGO_TO_JUNCTION = 44  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

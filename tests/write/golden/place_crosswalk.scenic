@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*crosswalks(before=69))
+place = Uniform(*ordinary(crosswalks(before=69), speed=11))
 EGO_TO_CROSSWALK = 44  # m
 EGO_AT = place.mark - EGO_TO_CROSSWALK
 

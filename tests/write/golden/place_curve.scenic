@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*curves('left', length=325, speed=15))
+place = Uniform(*ordinary(curves('left', length=325, speed=15), speed=13.9))
 EGO_TO_BEND = 40  # m
 EGO_AT = max(25, place.mark - EGO_TO_BEND)  # m along its lane
 

@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R
-place = Uniform(*junctions(LEFT_TURN, arms=4, control='signal', approach=69))
+place = Uniform(*ordinary(junctions(LEFT_TURN, arms=4, control='signal', approach=69), speed=11))
 EGO_TO_JUNCTION = 44  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

@@ -7,8 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: An intersection without lights or signs, where ego turns left.
-place = Uniform(*junctions(LEFT_TURN, control='none', approach=120,
-    others=[From('opposite', length=131)]))
+place = Uniform(*ordinary(junctions(LEFT_TURN, control='none', approach=120,
+    others=[From('opposite', length=131)]), speed=8))
 EGO_TO_JUNCTION = 35  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

@@ -7,8 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=375, min_length=104, ego_lane='rightmost',
-    shoulder='preferred', speed=15))
+place = Uniform(*ordinary(stretches(straight=True, length=375, min_length=104, ego_lane='rightmost',
+    shoulder='preferred', speed=15), speed=10))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 36 km/h; it brakes when it can see the kid.

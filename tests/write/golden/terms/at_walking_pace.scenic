@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A road.
-place = Uniform(*stretches(length=175))
+place = Uniform(*ordinary(stretches(length=175), speed=1.95))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at walking pace.

@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=275, min_length=102))
+place = Uniform(*ordinary(stretches(straight=True, length=275, min_length=102), speed=10))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 36 km/h; it hits the actor1.

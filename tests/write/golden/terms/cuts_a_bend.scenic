@@ -7,7 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A curve to the left, with an oncoming lane beside.
-place = Uniform(*curves('left', length=225, ego_lane='leftmost', oncoming=True, lanes=1))
+place = Uniform(*ordinary(curves('left', length=225, ego_lane='leftmost', oncoming=True,
+    lanes=1), speed=9))
 EGO_TO_BEND = 40  # m
 EGO_AT = max(25, place.mark - EGO_TO_BEND)  # m along its lane
 

@@ -7,7 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=275, min_length=108, ego_lane='rightmost'))
+place = Uniform(*ordinary(stretches(straight=True, length=275, min_length=108,
+    ego_lane='rightmost'), speed=10))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 36 km/h; it brakes for what comes into its way.
@@ -15,11 +16,8 @@ EGO_SPEED = 10  # m/s
 
 behavior EgoBehavior():
     line = route(place.lane)
-    try:
-        take SetSpeedAction(EGO_SPEED)
-        do Drive(line, EGO_SPEED)
-    interrupt when braking_needed(self, actor1) > 3:  # m/s2
-        do YieldTo(line, [actor1], EGO_SPEED)
+    take SetSpeedAction(EGO_SPEED)
+    do Drive(line, EGO_SPEED)
 
 ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',

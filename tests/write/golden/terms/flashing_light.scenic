@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: An intersection with traffic lights, where ego goes straight on.
-place = Uniform(*junctions(STRAIGHT, control='signal', approach=61))
+place = Uniform(*ordinary(junctions(STRAIGHT, control='signal', approach=61), speed=9))
 EGO_TO_JUNCTION = 36  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

@@ -8,7 +8,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=325, speed=15))
+place = Uniform(*ordinary(stretches(straight=True, length=325, speed=15), speed=14))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 50.4 km/h; it brakes.

@@ -7,8 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road, with an oncoming lane beside.
-place = Uniform(*stretches(straight=True, length=225, min_length=114, ego_lane='leftmost',
-    oncoming=True, lanes=1))
+place = Uniform(*ordinary(stretches(straight=True, length=225, min_length=114, ego_lane='leftmost',
+    oncoming=True, lanes=1), speed=8))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 28.8 km/h; it overtakes the actor1.

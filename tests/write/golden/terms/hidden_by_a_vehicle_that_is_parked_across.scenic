@@ -7,8 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=375, min_length=100, ego_lane='rightmost',
-    shoulder='preferred', speed=15))
+place = Uniform(*ordinary(stretches(straight=True, length=375, min_length=100, ego_lane='rightmost',
+    shoulder='preferred', speed=15), speed=8))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 28.8 km/h; it brakes for what comes into its way.

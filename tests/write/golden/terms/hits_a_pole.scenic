@@ -7,8 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=375, min_length=108, ego_lane='rightmost',
-    speed=15))
+place = Uniform(*ordinary(stretches(straight=True, length=375, min_length=108, ego_lane='rightmost',
+    speed=15), speed=14))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 50.4 km/h; it leaves the road to the right, then hits the actor1.

@@ -7,8 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=375, min_length=111, ego_lane='rightmost',
-    shoulder='preferred', speed=15))
+place = Uniform(*ordinary(stretches(straight=True, length=375, min_length=111, ego_lane='rightmost',
+    shoulder='preferred', speed=15), speed=6))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a bicycle, drives at 21.6 km/h; it hits the door.

@@ -7,7 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: An intersection with traffic lights, where ego goes straight on.
-place = Uniform(*junctions(STRAIGHT, control='signal', approach=94, ego_lane='rightmost'))
+place = Uniform(*ordinary(junctions(STRAIGHT, control='signal', approach=94,
+    ego_lane='rightmost'), speed=9))
 EGO_TO_JUNCTION = 69.5  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: An intersection, where ego turns right, with a crosswalk.
-place = Uniform(*junctions(RIGHT_TURN, crosswalk=True, approach=60))
+place = Uniform(*ordinary(junctions(RIGHT_TURN, crosswalk=True, approach=60), speed=8))
 EGO_TO_JUNCTION = 35  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

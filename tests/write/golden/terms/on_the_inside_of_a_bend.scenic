@@ -7,7 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A curve to the right.
-place = Uniform(*curves('right', length=275, min_length=108, ego_lane='rightmost'))
+place = Uniform(*ordinary(curves('right', length=275, min_length=108,
+    ego_lane='rightmost'), speed=9))
 EGO_TO_BEND = 40  # m
 EGO_AT = max(25, place.mark - EGO_TO_BEND)  # m along its lane
 

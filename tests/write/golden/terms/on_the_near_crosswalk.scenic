@@ -7,7 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: An intersection, where ego goes straight on, with a crosswalk.
-place = Uniform(*junctions(STRAIGHT, crosswalk=True, approach=61, ego_lane='rightmost'))
+place = Uniform(*ordinary(junctions(STRAIGHT, crosswalk=True, approach=61,
+    ego_lane='rightmost'), speed=9))
 EGO_TO_JUNCTION = 36  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

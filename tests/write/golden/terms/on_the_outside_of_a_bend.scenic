@@ -7,8 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A curve to the right.
-place = Uniform(*curves('right', length=375, min_length=114, ego_lane='leftmost', oncoming=True,
-    shoulder='preferred', speed=15))
+place = Uniform(*ordinary(curves('right', length=375, min_length=114, ego_lane='leftmost',
+    oncoming=True, shoulder='preferred', speed=15), speed=9))
 EGO_TO_BEND = 40  # m
 EGO_AT = max(25, place.mark - EGO_TO_BEND)  # m along its lane
 

@@ -7,7 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road, with an oncoming lane beside.
-place = Uniform(*stretches(straight=True, length=325, min_length=116, oncoming=True, lanes=1))
+place = Uniform(*ordinary(stretches(straight=True, length=325, min_length=116, oncoming=True,
+    lanes=1)))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, stands at first; it moves off when the actor1 has gone by ego.

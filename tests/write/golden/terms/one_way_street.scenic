@@ -7,7 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, two_way=False, length=225, oncoming=False))
+place = Uniform(*ordinary(stretches(straight=True, two_way=False, length=225,
+    oncoming=False), speed=10))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 36 km/h.

@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=199))
+place = Uniform(*ordinary(stretches(straight=True, length=199)))
 EGO_AT = Range(49, 69)  # m along its lane
 
 ## E: Ego, a car, stands at first; it reverses until it is 2 m from the actor1, then stops.

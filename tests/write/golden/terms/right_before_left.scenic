@@ -7,7 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: An intersection without lights or signs, where ego goes straight on.
-place = Uniform(*junctions(STRAIGHT, control='none', approach=61, others=[From('right')]))
+place = Uniform(*ordinary(junctions(STRAIGHT, control='none', approach=61,
+    others=[From('right')]), speed=9))
 EGO_TO_JUNCTION = 36  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

@@ -7,8 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=375, min_length=104, ego_lane='rightmost',
-    shoulder='preferred', speed=15))
+place = Uniform(*ordinary(stretches(straight=True, length=375, min_length=104, ego_lane='rightmost',
+    shoulder='preferred', speed=15), speed=8))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 28.8 km/h; it brakes for what comes into its way.
@@ -40,7 +40,7 @@ CHILD_SPEED = 2.2  # m/s
 
 behavior ChildBehavior():
     line = route(place.lane)
-    do Stand() until gap(self, ego) < 23.6
+    do Stand() until gap(self, ego) < 23.6  # 20 m away as it comes out from behind what hides it
     do Walk(self.heading, CHILD_SPEED, to_far_side(self, line, self.heading))
 
 child = new Pedestrian at van offset by 1 @ (van.length / 2 + 0.65),

@@ -8,7 +8,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=325))
+place = Uniform(*ordinary(stretches(straight=True, length=325), speed=13))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 46.8 km/h; it loses control for a moment.

@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=175, min_length=62))
+place = Uniform(*ordinary(stretches(straight=True, length=175, min_length=62), speed=6))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 21.6 km/h; it follows who is ahead.

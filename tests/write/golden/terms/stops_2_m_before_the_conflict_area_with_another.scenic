@@ -7,7 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: An intersection without lights or signs, where ego goes straight on.
-place = Uniform(*junctions(STRAIGHT, control='none', approach=60, others=[From('left')]))
+place = Uniform(*ordinary(junctions(STRAIGHT, control='none', approach=60,
+    others=[From('left')]), speed=8))
 EGO_TO_JUNCTION = 35  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

@@ -7,7 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: An intersection without lights or signs, where ego goes straight on, with a crosswalk.
-place = Uniform(*junctions(STRAIGHT, crosswalk=True, control='none', approach=61))
+place = Uniform(*ordinary(junctions(STRAIGHT, crosswalk=True, control='none',
+    approach=61), speed=9))
 EGO_TO_JUNCTION = 36  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

@@ -8,7 +8,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=325, min_length=112))
+place = Uniform(*ordinary(stretches(straight=True, length=325, min_length=112), speed=12))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 43.2 km/h; it brakes hard at a distance of 10 m, then hits the actor1.

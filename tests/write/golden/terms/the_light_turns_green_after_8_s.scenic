@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: An intersection with traffic lights, where ego turns left.
-place = Uniform(*junctions(LEFT_TURN, control='signal', approach=65))
+place = Uniform(*ordinary(junctions(LEFT_TURN, control='signal', approach=65), speed=10))
 EGO_TO_JUNCTION = 40  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: An intersection with traffic lights, where ego goes straight on.
-place = Uniform(*junctions(STRAIGHT, control='signal', approach=85))
+place = Uniform(*ordinary(junctions(STRAIGHT, control='signal', approach=85), speed=10))
 EGO_TO_JUNCTION = 60  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A curve to the right.
-place = Uniform(*curves('right', length=425, speed=20))
+place = Uniform(*ordinary(curves('right', length=425, speed=20), speed=18.1))
 EGO_TO_BEND = 40  # m
 EGO_AT = max(25, place.mark - EGO_TO_BEND)  # m along its lane
 

@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: An intersection, where ego goes straight on.
-place = Uniform(*junctions(STRAIGHT, approach=135))
+place = Uniform(*ordinary(junctions(STRAIGHT, approach=135), speed=8))
 EGO_TO_JUNCTION = 110  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

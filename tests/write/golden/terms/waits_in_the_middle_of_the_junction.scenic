@@ -7,7 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: An intersection with traffic lights, where ego turns left.
-place = Uniform(*junctions(LEFT_TURN, control='signal', approach=69, others=[From('opposite')]))
+place = Uniform(*ordinary(junctions(LEFT_TURN, control='signal', approach=69,
+    others=[From('opposite')]), speed=11))
 EGO_TO_JUNCTION = 44  # m
 EGO_AT = place.length - EGO_TO_JUNCTION
 

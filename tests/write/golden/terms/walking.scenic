@@ -7,7 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=225, min_length=98, ego_lane='rightmost'))
+place = Uniform(*ordinary(stretches(straight=True, length=225, min_length=98,
+    ego_lane='rightmost'), speed=8))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives at 28.8 km/h.

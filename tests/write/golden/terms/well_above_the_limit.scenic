@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=525, speed=25))
+place = Uniform(*ordinary(stretches(straight=True, length=525, speed=25), speed=21.55))
 EGO_AT = Range(25, 45)  # m along its lane
 
 ## E: Ego, a car, drives well above the limit.

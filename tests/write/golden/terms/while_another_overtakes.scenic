@@ -7,8 +7,8 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road, with an oncoming lane beside.
-place = Uniform(*stretches(straight=True, length=380, ego_lane='leftmost', oncoming=True, lanes=1,
-    speed=17.5))
+place = Uniform(*ordinary(stretches(straight=True, length=380, ego_lane='leftmost', oncoming=True,
+    lanes=1, speed=17.5), speed=10))
 EGO_AT = Range(30, 50)  # m along its lane
 
 ## E: Ego, a car, drives at 36 km/h; it accelerates.

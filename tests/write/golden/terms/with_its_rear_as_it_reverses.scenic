@@ -7,7 +7,7 @@ model scenic.simulators.carla.model
 from c2s_driving import *
 
 ## R: A straight road.
-place = Uniform(*stretches(straight=True, length=195))
+place = Uniform(*ordinary(stretches(straight=True, length=195)))
 EGO_AT = Range(45, 65)  # m along its lane
 
 ## E: Ego, a car, stands at first; it reverses, then hits the actor1 with its rear at the front of the actor1.

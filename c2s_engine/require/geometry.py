@@ -59,12 +59,20 @@ def time_to_collision(a: np.ndarray, b: np.ndarray, size_a: tuple[float, float],
 
 
 def box_distance(a: np.ndarray, b: np.ndarray, size_a: tuple[float, float], size_b: tuple[float, float]) -> np.ndarray:
-    """m between two boxes at each step, at least (by the widest gap along the axes of either)."""
-    dx, dy = b[:, 0] - a[:, 0], b[:, 1] - a[:, 1]
-    c, s = np.abs(np.cos(b[:, 2] - a[:, 2])), np.abs(np.sin(b[:, 2] - a[:, 2]))
-    best = np.full(len(dx), -np.inf)
-    for heading, one, other in ((a[:, 2], size_a, size_b), (b[:, 2], size_b, size_a)):
-        sin, cos = np.sin(heading), np.cos(heading)
-        best = np.maximum(best, np.abs(-sin * dx + cos * dy) - 0.5 * (one[0] + other[0] * c + other[1] * s))
-        best = np.maximum(best, np.abs(cos * dx + sin * dy) - 0.5 * (one[1] + other[0] * s + other[1] * c))
-    return np.maximum(best, 0.0)
+    """m between two boxes at each step; 0 where they touch."""
+    nearest = np.minimum(_corner_distance(a, b, size_a, size_b), _corner_distance(b, a, size_b, size_a))
+    return np.where(touching(a, b, size_a, size_b), 0.0, nearest)
+
+
+def _corner_distance(a: np.ndarray, b: np.ndarray, size_a: tuple[float, float],
+                     size_b: tuple[float, float]) -> np.ndarray:  # fmt: skip
+    """m from the nearest corner of the first box to the second at each step, if they do not overlap."""
+    sin, cos = np.sin(b[:, 2]), np.cos(b[:, 2])
+    found = np.full(max(len(a), len(b)), np.inf)
+    for ahead, left in ((0.5, 0.5), (0.5, -0.5), (-0.5, 0.5), (-0.5, -0.5)):
+        ahead, left = ahead * size_a[0], left * size_a[1]
+        dx = a[:, 0] - np.sin(a[:, 2]) * ahead - np.cos(a[:, 2]) * left - b[:, 0]
+        dy = a[:, 1] + np.cos(a[:, 2]) * ahead - np.sin(a[:, 2]) * left - b[:, 1]
+        along, aside = np.abs(-sin * dx + cos * dy), np.abs(cos * dx + sin * dy)
+        found = np.minimum(found, np.hypot(np.maximum(along - size_b[0] / 2, 0), np.maximum(aside - size_b[1] / 2, 0)))
+    return found

@@ -378,8 +378,7 @@ def at_distance(requirement: Requirement, evidence: Evidence) -> Result:
     least, most = span(requirement)
     if motion is None or other is None or time is None:
         return unknown(requirement, f"{most:g} m away", "not judged: the action did not occur")
-    if str(v["action"]) in (*moments.SIDEWAYS, *moments.SETS_OUT, *moments.SLOWS):
-        time = moments.onset(motion, str(v["action"]), time)
+    time = moments.onset(motion, str(v["action"]), time)
     if v.get("hidden"):  # it is as it comes out that ego is so far away
         time = motion.visible_from(time) or time
     at, there = motion.at(time), other.at(time)

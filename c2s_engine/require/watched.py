@@ -29,6 +29,9 @@ REACHED = 0.5
 NEAR = {"distance": "view", "ttc": "soon"}
 """Bounds of how near is near, by what is watched."""
 
+DRIVES_ON, LONGEST_STAND = ("keep_lane", "follow", "move_along"), 20.0
+"""What one does that goes on as before; s before it is due in which one may have come to a stand."""
+
 Array = np.ndarray
 
 
@@ -206,9 +209,18 @@ def begins_when(requirement: Requirement, evidence: Evidence) -> Result:
         begun = min(max(begun, due), seen)
     if v["place"] == "in_intersection" and v["action"] in STANDS and _inside(motion, seen):
         begun = due  # wherever it is in there that it comes to stand
+    if v["action"] in DRIVES_ON and begun < due:
+        begun = _moves_again(motion, due)
     if v["action"] in TURNS and begun > due and motion.speed[motion.at(due) : motion.at(begun)].min() > STANDING:
         begun = due  # it turns as it comes there
     return _follows(requirement, begun, due, said, f"{begun:.1f} s, condition true at {since:.1f} s")
+
+
+def _moves_again(motion: Motion, due: float) -> float:
+    """When one that stood as it was due to drive on (s) moves off; then, where it drove all along."""
+    stood = np.flatnonzero((motion.speed < STANDING) & (motion.time > 0.5) & (motion.time > due - LONGEST_STAND))
+    moves = np.flatnonzero((motion.speed > STANDING) & (np.arange(len(motion.speed)) > (stood[0] if len(stood) else 0)))
+    return float(motion.time[moves[0]]) if len(stood) and len(moves) else due
 
 
 def _inside(motion: Motion, time: float) -> bool:

@@ -7,7 +7,7 @@ from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec, Tr
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.lateral import LATERAL, said, shift_of, sideways, to_line
 from c2s_engine.write.typed.tables import LANE_WIDTH, LENGTH, WIDTH, is_static
-from c2s_engine.write.typed.usual import UNDISTURBED, default_gap, speed_of
+from c2s_engine.write.typed.usual import UNDISTURBED, default_gap, row_length, speed_of
 
 ANSWERS, BRAKES = 1.0, 3.5
 """s after which, and m/s2 with which, one brakes for who comes over in front of it."""
@@ -198,6 +198,7 @@ def let_by(structure: Structure) -> Structure:
     if found is None:
         return structure
     first, chain = found
+    chain += row_length(structure[last].spec) - LENGTH[structure[last].spec.type]  # type: ignore[arg-type, union-attr]
     at_end = any(p.trigger and p.trigger.place == "merge_end" for p in ego.phases)
     own = middle(speed_of(ego, place))
     up = max([own, *(middle(p.speed) for p in ego.phases if p.action == "accelerate" and p.speed is not None)])

@@ -140,6 +140,9 @@ def _spoiled_by(c: Course, p: Phase) -> Phase | None:
 def nearest(c: Course, p: Phase) -> str:
     """The first that it passes: whom it overtakes, or who drives in the lane between the two."""
     cid, seen = p.target, set[str]()
+    at, whom = getattr(c.actor.spec, "placement", None), c.other(cid)
+    if at and (at.position, at.of) == ("behind", "ego") and whom and whom.placement.position == "ahead":
+        return "ego"
     while (spec := c.other(cid)) and spec.placement.position == "ahead" and c.other(spec.placement.of):
         if spec.placement.of in (*seen, c.actor.cid):
             break

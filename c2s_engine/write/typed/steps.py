@@ -104,19 +104,19 @@ def _keep_lane(c: Course, p: Phase) -> list[Step]:
 
 def _over_junction(c: Course, p: Phase) -> list[Step]:
     """The line already turns; the phase is over when the junction is behind."""
-    goal = c.set(c.wanted(p, _moving(c)))  # who stood at the line moves off
+    drive = c.drive(c.set(c.wanted(p, _moving(c))), middle(p.rate) if p.rate else None)
     if not (c.actor.plan.junction and (c.actor.is_ego or c.actor.approach or c.lane is not None)):
-        return [([c.drive(goal)], ending(p, ""))]
+        return [([drive], ending(p, ""))]
     phases = c.actor.spec.phases
     then = next(iter(phases[phases.index(p) + 1 :]), None) if p in phases else None
     if then is not None and held_for(c, then):  # it stops in the middle of its turn
-        return [([c.drive(goal)], "until self.speed > 1.5")] if c.held else []
-    over = [([c.drive(goal)], IN_JUNCTION), ([c.drive(goal)], "until not self._intersection")]
+        return [([drive], "until self.speed > 1.5")] if c.held else []
+    over = [([drive], IN_JUNCTION), ([drive], "until not self._intersection")]
     over = over[c.held :]
     if not c.aside or p.action == "go_straight":
         return over
     c.aside = ""  # it turned from beside another
-    return [*over, ([c.drive(goal)], "")]
+    return [*over, ([drive], "")]
 
 
 def _past_line(c: Course, p: Phase) -> list[Step]:

@@ -52,7 +52,8 @@ def watched(structure: Structure, plan: Plan, t: Trigger, own: str, name: str = 
         case "apart":
             return f"gap({subject}, {other}) > {scope.number(value)}"
         case "passed":
-            return f"passed({subject}, {other}, 0)"
+            row = [subject, subject.replace("[0]", "[-1]")] if subject.endswith("[0]") else [subject]
+            return " and ".join(f"passed({one}, {other}, 0)" for one in row)
         case "contact":
             return f"touch({subject}, {other})"
         case "speed":

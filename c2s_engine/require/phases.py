@@ -300,7 +300,7 @@ def awaited(requirement: Requirement, evidence: Evidence) -> Result:
         if motion is not None and time is not None and action in moments.SETS_OUT:  # it can be seen from then on
             evidence.times[key] = moments.onset(motion, action, time)
     first = evidence.times.get(str(v["first"]))
-    begins = (*moments.SIDEWAYS, "oncoming", "u_turn")
+    begins = (*moments.SIDEWAYS, "oncoming", "u_turn", "overtake")
     if cause is not None and first is not None and str(v["its"]) in begins:  # seen as it begins
         evidence, times = copy(evidence), evidence.times
         evidence.times = {**times, str(v["first"]): moments.onset(cause, str(v["its"]), first)}

@@ -4,14 +4,17 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.sentences import action_of
 from c2s_engine.structure.specs import ObjectSpec, Phase, SettingsSpec, Trigger
 from c2s_engine.write.typed import ahead, lights, scope
+from c2s_engine.write.typed.causes import drives_ahead
 from c2s_engine.write.typed.course import Actor, Course
+from c2s_engine.write.typed.forced import FORCED
+from c2s_engine.write.typed.implied import implicit
 from c2s_engine.write.typed.lanes import leaves_behind
 from c2s_engine.write.typed.lateral import LATERAL
 from c2s_engine.write.typed.overtakings import nearest
 from c2s_engine.write.typed.steps import AT_LINE, IN_JUNCTION, Reached, Step, steps
 from c2s_engine.write.typed.tables import APPROACH_ANGLE, AT_REST, TURN
 from c2s_engine.write.typed.towards import SETS_OFF, its_turn
-from c2s_engine.write.typed.triggers import FORCED, drives_ahead, implicit, stated
+from c2s_engine.write.typed.triggers import stated
 from c2s_engine.write.typed.usual import SETS_OUT, SLOWS_DOWN, slows_before
 from c2s_engine.write.typed.watching import watched
 

@@ -53,7 +53,9 @@ def facing(structure: Structure, place: PlaceSpec) -> Structure:
             gap = _meeting(ego, speed, passed, hit) - passed.gap - LENGTH[spec.type]
         elif own is not None and narrow and not hit:
             until = own.begins + MET
-            if ego.reaction == "none" or own.phase.abandoned:
+            if _answers(spec):
+                until = own.abreast + ANSWERED + ASIDE / 2
+            elif ego.reaction == "none" or own.phase.abandoned:
                 until = own.back + (JUST if own.phase.abandoned else SPARE["ego"])
             gap = own.travelled(until) + _drives(spec, place) * until
         elif not hit and (begins := _comes_over(spec)) is not None:
@@ -72,6 +74,12 @@ def _comes(spec: ObjectSpec) -> bool:
     at = spec.placement
     there = at.position == "oncoming_lane" and at.of == "ego" and at.gap is None
     return there and is_vehicle(spec.type) and not is_static(spec)
+
+
+def _answers(spec: ObjectSpec) -> bool:
+    """Whether one does something as ego overtakes another."""
+    triggers = (p.trigger for p in spec.phases if p.trigger is not None)
+    return any((t.kind, t.of, t.action) == ("action", "ego", "overtake") for t in triggers)
 
 
 def _comes_over(spec: ObjectSpec) -> float | None:

@@ -85,8 +85,8 @@ def pulls_out(c: Course, p: Phase) -> str:
     """The condition under which it is time to pull out behind whom it overtakes; "": that one clears the lane."""
     if lane_is_cleared(p, c.party(p.target)):
         return ""
-    if comes := _spoiling(c, p):
-        return f"until ttc(self, {comes}) < {scope.number(THREATENED)}"
+    if threatened := _spoils(c, p)[0]:
+        return f"until {threatened}"
     closing = max(_top(c, p) - c.target_speed(p), faster(c.other(p.target)))
     if _waits(c, p):
         closing += WARY
@@ -115,19 +115,27 @@ def _breaks_off(c: Course, p: Phase, out: list[str], back: list[str], aside: str
         return [(out, "")]
     slower = [slower[0].replace(", offset", ", rate=5, offset")]
     home: list[Step] = [(slower, f"until ahead_by({other}, self) > 1"), ([*back[:-1], c.drive(behind, 5)], BACK)]
-    comes, near = _spoiling(c, p), scope.number(to_slow(closing))
-    cause = f"ttc(self, {comes}) < {scope.number(SPOILED)}" if comes else f"ahead_by({other}, self) < {near}"
+    cause = _spoils(c, p)[1] or f"ahead_by({other}, self) < {scope.number(to_slow(closing))}"
     return [(out, f"until {cause}"), *home]
 
 
-def _spoiling(c: Course, p: Phase) -> str:
-    """Who comes towards one that begins to overtake, for whom it breaks off where S says no other; "": nobody."""
+def _spoils(c: Course, p: Phase) -> tuple[str, str]:
+    """By when one pulls out to overtake that will break off, and what then makes it, where S says neither: somebody who
+    comes towards it, or that whom it overtakes leaves the middle of its lane; "", "": nothing does."""
     if not p.abandoned or p.trigger is not None or _spoiled_by(c, p) is not None or not _by_offset(c, p):
-        return ""
+        return "", ""
+    whom = c.other(p.target)
+    aside = [q for q in (whom.phases if whom else ()) if q.action in ("swerve", "drift") and q.side != "right"]
+    awaits = ((q.trigger.kind, q.trigger.of, q.trigger.action) for q in aside if q.trigger)
+    if ("action", called(c.actor.cid), "overtake") in awaits:
+        return "", f"off_lane({c.actor.ref(p.target)})"
     comes = [o.id for o in c.actor.structure.objects if isinstance(o.spec, ObjectSpec) and comes_towards(o.spec)]
     if not c.actor.is_ego:
         comes = ["ego"] if c.oncoming else [cid for cid in comes if cid not in (c.actor.cid, p.target)]
-    return c.actor.ref(comes[0]) if comes else ""
+    if not comes:
+        return "", ""
+    seconds = f"ttc(self, {c.actor.ref(comes[0])}) < "
+    return f"{seconds}{scope.number(THREATENED)}", f"{seconds}{scope.number(SPOILED)}"
 
 
 def _spoiled_by(c: Course, p: Phase) -> Phase | None:

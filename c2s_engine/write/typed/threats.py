@@ -12,6 +12,8 @@ from c2s_engine.write.typed.usual import crosses, pace_of
 IN_WAY = {"ahead", "partly_in_lane", "intersection_exit"}
 NEAREST = 0.6
 """The share of the room to which ego is to come near that it leaves."""
+BESIDE_SOON = 6
+"""m behind whom it overtakes from which one is all but beside it."""
 FOG = 65
 """m that one sees in the fog: at motorway speeds just enough to stop."""
 STAYS = {"keep_lane", "move_along", "stationary", "wait", "go_straight"}
@@ -233,7 +235,7 @@ def observed(structure: Structure, other: str, cid: str, action: str | None) -> 
     if action == "u_turn":
         return f"turns_round({other})"
     if action == "overtake" and phase is not None and phase.abandoned:  # it never comes alongside
-        return f"off_lane({other})"
+        return f"off_lane({other}) and ahead_by({whom}, {other}) < {scope.number(BESIDE_SOON)}"
     if action == "overtake":  # it is alongside
         return f"lead_on({other}, {whom}) > -5"
     if action == "collide" and whom != other:

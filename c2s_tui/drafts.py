@@ -27,7 +27,8 @@ class Drafts(Part):
         """Swap to disk what was typed and neither sent nor applied; `now`: all of it, before this returns."""
         if self.bench.session is None:
             return
-        texts = {"chat": self.chat.entry.draft}
+        left = self.bench.sessions.left
+        texts = {"chat": self.chat.entry.draft if left is None else left}
         if self.recovered:
             texts["code"] = self.bench.code.text if self.bench.code.edited else ""
         if now:  # what is being written from a thread at this moment may be older than what is there

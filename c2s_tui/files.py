@@ -103,6 +103,7 @@ class Files(Part):
         if path.suffix == ".scenic" or path.is_file():
             await self.import_file(path)
         else:
+            self.bench.sessions.opens()
             self.bench.sessions.open_known(argument)
 
     async def import_file(self, path: Path) -> None:

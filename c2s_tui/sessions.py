@@ -12,6 +12,7 @@ from c2s_tui.screens.dialogs import Choosable, Chooser, Confirm
 
 if TYPE_CHECKING:
     from c2s_engine.session.session import Session
+    from c2s_tui.workbench import Workbench
 
 LOOK_AGAIN = 0.25
 """s between two looks at whether another process has closed a session."""
@@ -25,11 +26,21 @@ def fresh_name(taken: set[str]) -> str:
 class Sessions(Part):
     """Commands that concern sessions as a whole."""
 
+    def __init__(self, bench: "Workbench"):
+        super().__init__(bench)
+        self.left: str | None = None  # what stood in the line as a command was sent that opens a session, until it has
+
+    def opens(self) -> None:
+        """A command opens a session: where it was typed, what is typed from then on is for that one."""
+        typed = self.bench.session is not None and self.bench.turns.commanded
+        self.left = self.chat.entry.left if typed else None
+
     @background("begin", exclusive=False)
     async def open_session(self, name: str, word: str = "") -> None:
         """Close the session and open another; `word`: what is said when it is open."""
         if self.bench.turns.busy:
             await self.bench.turns.may_begin()
+            self.left = None
             return
         await self.enter(name)
         if word and self.bench.session is not None and self.session.name == name:
@@ -42,6 +53,7 @@ class Sessions(Part):
         if name in names:
             self.open_session(name)
             return
+        self.left = None
         near = get_close_matches(name, names, 3)
         there = f"Did you mean {' or '.join(near)}?" if near else f"There are {', '.join(names[:5])}; /open lists all."
         await self.chat.note(
@@ -57,16 +69,20 @@ class Sessions(Part):
         except Exception as error:
             await self.chat.note(f"The session {name} could not be opened: {sentence(error)}", "error")
             if self.bench.session is not None:
+                self.left = None
                 return
             session = await self.backend.open(f"{name}-2")
         changed = self.bench.session is not session
-        typed = self.chat.entry.text if self.bench.session is None else ""  # while the session was being opened
-        self.chat.entry.put(session.draft("chat") + typed)
+        entry = self.chat.entry
+        before = "" if self.bench.session is None else entry.text if self.left is None else self.left
+        typed = entry.text.removeprefix(before)  # while the session was being opened
+        entry.put(session.draft("chat") + typed)
         if changed:
             await self.chat.clear()
             if self.bench.session is not None:
                 self.bench.files.forget()
         self.bench.take_session(session)
+        switched, self.left = self.left is not None, None
         self.app.remember(session=session.name)
         self.chat.entry.remember(session.typed)
         for turn in session.conversation[-50:]:
@@ -80,6 +96,8 @@ class Sessions(Part):
 
             await self.chat.note(phrases_sentence(session.idle, of=session.structure.text))
         await self._recover(session)
+        if switched:
+            await self.bench.turns.say_early(True)
 
     async def _opened(self, name: str) -> "Session":
         """The session; at the start of the app one that is still held is waited for: the app whose line was dropped is
@@ -160,6 +178,7 @@ class Sessions(Part):
             await self.chat.note(f"The session {name} is deleted.")
 
     async def do_new(self, argument: str) -> None:
+        self.opens()
         taken = {s.name for s in await self.backend.all_sessions()}
         name = argument or fresh_name(taken)
         made = f"Session {name} made."

@@ -43,6 +43,7 @@ class Turns(Part):
         self.said = ""  # the text of the turn under way, where it is one
         self.count = 0  # turns that have begun
         self.early: list[str] = []  # what was sent before a session was open
+        self.commanded = False  # whether a command runs that was typed
         self.refused = False  # whether what was asked for last could not begin
 
     @property
@@ -213,8 +214,11 @@ class Turns(Part):
 
     async def keeping(self, text: str, command: Awaitable[None]) -> None:
         """A command that was typed; where it may not begin now, it stays typed."""
-        self.refused = False
-        await command
+        self.refused, self.commanded = False, True
+        try:
+            await command
+        finally:
+            self.commanded = False
         if self.refused:
             self._put_back(text)
 

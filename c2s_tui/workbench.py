@@ -209,7 +209,8 @@ class Workbench(Screen):
     async def _said(self, event: TextSubmitted) -> None:
         self.chat.conversation.anchor()  # the answer comes at the end
         command = split(event.text)
-        if self.session is None and (command is None or command[0] not in AT_ANY_TIME):
+        opening = self.session is None or self.sessions.left is not None
+        if opening and (command is None or command[0] not in AT_ANY_TIME):
             await self.turns.wait_to_say(event.text)
         elif command is not None:
             await self.turns.keeping(event.text, self.run_command(*command))

@@ -90,7 +90,7 @@ def _change(text: str, structure: Structure) -> Turn | None:
     if found is None or not found.edits:
         return None
     gone = [e.component for e in found.edits if isinstance(e, RemoveObject)]
-    if gone and found.likely < SURE and not all(re.search(rf"\b{cid}\b", text, re.IGNORECASE) for cid in gone):
+    if gone and found.likely < SURE and not all(_names(text, cid, structure) for cid in gone):
         return Turn("edit", reply=_which(structure, gone))
     return Turn("edit", list(found.edits), found.words, guessed=found.likely < SURE)
 
@@ -202,6 +202,13 @@ def _stands_alone(plain: str) -> bool:
         if known and not any({m.type, n.type} & {"vehicle"} or m.type == n.type for n in named[:number]):
             return False
     return True
+
+
+def _names(text: str, cid: str, structure: Structure) -> bool:
+    """Whether a text names one object: by its id, or by a noun that no other one of S can be meant by."""
+    kinds = {c.id: c.spec.type for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+    alone = ({c for c, kind in kinds.items() if m.fits(kind)} == {cid} for m in mentions(text))
+    return bool(re.search(rf"\b{cid}\b", text, re.IGNORECASE)) or any(alone)
 
 
 def _which(structure: Structure, meant: list[str]) -> str:

@@ -23,6 +23,7 @@ def dossier(material: Material, blind: bool = False) -> dict[str, Any]:
         "id": material.id,
         "matters": material.matters,
         "text": material.text,
+        "changes": list(material.changes),
         "account": [
             {**c.model_dump(mode="json"), "reason": c.reason} for c in account(material.structure, material.idle)
         ],

@@ -164,6 +164,8 @@ async def of_session(engine: Engine, name: str, *, seed: int = 0) -> Material:
     session = Sessions().open(name, engine, create=False)
     try:
         structure, program, folder = session.structure, session.program, session.details.get("folder")
+        later = [t for t in session.history if not t.asked and t.text != structure.text]
+        changes = tuple(t.text if t.kind == "say" else t.summary for t in later)
         idle = session.idle
         if idle is None:
             with contextlib.suppress(Unreadable):
@@ -175,7 +177,8 @@ async def of_session(engine: Engine, name: str, *, seed: int = 0) -> Material:
     found = await _run(engine, program, folder or _folder(engine, program), "program.scenic", seed)
     identity = re.sub(r"[^\w.-]+", "-", name).strip("-.") or "session"
     return Material(
-        id=identity, text=structure.text, origin=f"session {name}", structure=structure, idle=idle or (), **found
+        id=identity, text=structure.text, origin=f"session {name}", structure=structure, idle=idle or (),
+        changes=changes if structure.text else (), **found
     )
 
 

@@ -51,6 +51,9 @@ def _text(shown: dict[str, Any]) -> Iterator[str]:
         yield f"What matters most to its writer: {_cell(shown['matters'])}"
     if not shown["account"]:
         return
+    if shown["changes"]:
+        yield "What was changed after it (S below has all of it; the table of clauses is of the text alone):"
+        yield "\n".join(f"{i}. {_cell(said)}" for i, said in enumerate(shown["changes"], 1))
     yield "What became of each clause:"
     yield table(
         ["clause", "became", "of", "lost"],

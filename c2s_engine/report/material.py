@@ -22,6 +22,7 @@ class Material(BaseModel):
     id: str
     text: str = ""
     matters: str = ""  # what matters most to who wrote the text, in their words
+    changes: tuple[str, ...] = ()  # what was asked for after the text, in its order
     origin: str = ""  # where S comes from: a method, a session, an imported program
     structure: Structure = Structure()
     idle: tuple[Unmet, ...] = ()  # phrases of the text without which S would be the same

@@ -155,7 +155,8 @@ def cut_off(motion: Motion) -> list[float]:
 def over_line(motion: Motion, time: float) -> float | None:
     """When its side comes over the lane line in a move to the side that is seen at a time, s."""
     first, last = motion.at(time - LONGEST), motion.at(time + 1.0)
-    moved = np.abs(beside(motion)[first : last + 1] - beside(motion)[first]) >= (LANE - motion.size[1]) / 2
+    room = max((LANE - motion.size[1]) / 2, BEGUN)  # what is as wide as its lane has begun to come over then
+    moved = np.abs(beside(motion)[first : last + 1] - beside(motion)[first]) >= room
     return float(motion.time[first + int(moved.argmax())]) if moved.any() else None
 
 

@@ -53,6 +53,8 @@ async def without_effect(
         found = [span for span in found if not meets(span, *becomes)]
         found += [span for span in absent(mentions(text), there) if not meets(span, *found)]
         found += [span for span in ([] if gone else _removals(text)) if not meets(span, *found)]
+    if before is not None:
+        found += [span for span in _directions(text, structure, before) if not meets(span, *found)]
     if not own:
         found += [span for span in _amounts(text, structure) if not meets(span, *found)]
     return tuple(Unmet(text=text[a:b].strip(" ,;.\n"), reason=REASON, span=(a, b)) for a, b in sorted(found))
@@ -81,6 +83,17 @@ def _removals(text: str) -> list[Span]:
     """Where a text asks that something be removed."""
     verbs = "|".join(language.table("trade")["removes"])
     return [m.span() for m in re.finditer(rf"\b(?:{verbs})\b[^,.;]*?(?=[,.;]|\s+and\b|$)", text, re.IGNORECASE)]
+
+
+def _directions(text: str, structure: Structure, before: Structure) -> list[Span]:
+    """Where a change that moved somebody says a direction that nobody has whom it changed."""
+    was = {c.id: c.spec for c in before.objects}
+    moved = [c for c in structure.objects if getattr(was.get(c.id), "placement", None) != c.spec.placement]  # type: ignore
+    changed = [c for c in structure.components if c.id not in before or before[c.id].spec != c.spec]
+    said = frozenset(word for c in changed for word in (*said_words(c, structure), *stems(_told(c, structure))))
+    words = language.alternatives(language.table("trade")["directions"])
+    return [m.span() for m in re.finditer(rf"\b(?:{words})\b", text, re.IGNORECASE)
+            if moved and not stems(m[0]) & said]  # fmt: skip
 
 
 def _amounts(text: str, structure: Structure) -> list[Span]:

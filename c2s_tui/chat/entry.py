@@ -28,6 +28,7 @@ class Entry(OrderedArea):
         self.kept: list[str] = []  # what was put back, until it is sent or deleted
         self._before = ""
         self._at = 0
+        self.left = ""  # what stood here when the last text was sent
         self._typed: dict[int, str] = {}  # what stood at each place of what the arrow keys go through, as it was left
 
     async def _on_key(self, event: Key) -> None:
@@ -61,6 +62,7 @@ class Entry(OrderedArea):
             self.text = left  # what was typed before another text was fetched
             if not left:
                 self._bring_back()
+            self.left = self.text
             self.post_message(TextSubmitted(text))
 
     def remember(self, texts: list[str]) -> None:

@@ -80,8 +80,20 @@ class CodeArea(Folding):
             event.prevent_default()
             self.tell_mode()
             return
+        if event.key == "enter" and not self.read_only:
+            event.stop()
+            event.prevent_default()
+            self.insert("\n" + self._indent())
+            return
         if event.key == "escape":  # to the pane; TextArea's would take the focus away, and what is typed next with it
             event.prevent_default()
+
+    def _indent(self) -> str:
+        """With what a line after the cursor's begins: as far in as that one, a step further behind a colon."""
+        row, column = self.cursor_location
+        before = str(self.document.get_line(row))[:column]
+        margin = before[: len(before) - len(before.lstrip())]
+        return margin + " " * self.indent_width if before.partition("#")[0].rstrip().endswith(":") else margin
 
     def action_go(self, where: str) -> None:
         """Put the cursor at the start or the end of the program."""

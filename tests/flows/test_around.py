@@ -1,5 +1,6 @@
 """Around the panes: the row of keys, zoom, room, find, findings, turns and sessions as lists."""
 
+import asyncio
 import threading
 from random import Random
 
@@ -228,6 +229,46 @@ async def test_a_new_session_is_said_to_be_made_or_to_be_there(stage):
             await stage.until(pilot, lambda said=said: stage.said[-1:] == [said])
             await stage.bench.run_command("new", "morning")
             await stage.until(pilot, lambda: stage.bench.session.name == "morning")
+
+
+@pytest.mark.parametrize("send", [False, True])
+async def test_what_is_typed_while_another_session_is_being_opened_is_for_that_one(stage, monkeypatch, send):
+    async with stage.described() as pilot:
+        entry, sessions, gate = stage.bench.chat.entry, stage.bench.sessions, asyncio.Event()
+        opened, first = sessions._opened, stage.bench.session.name
+
+        async def slowly(name):
+            await gate.wait()
+            return await opened(name)
+
+        monkeypatch.setattr(sessions, "_opened", slowly)
+        entry.focus()
+        await pilot.press(*"/new", "space", *"fresh", "enter", *"half")
+        stage.bench.drafts.save(now=True)
+        assert stage.bench.session.name == first and stage.bench.session.draft("chat") == "" and entry.text == "half"
+        if send:
+            await stage.say(pilot, CUT_IN, wait=False)
+            await stage.until(pilot, lambda: stage.said[-1:] == [f"Waiting until the session is open: “{CUT_IN}”"])
+        gate.set()
+        await stage.until(pilot, lambda: stage.bench.session.name == "fresh")
+        if send:
+            await stage.until(pilot, lambda: stage.bench.session.structure.text == CUT_IN and not stage.busy)
+            return
+        await pilot.press(*"way")
+        assert entry.text == "halfway"
+        assert sessions.left is None
+
+
+async def test_a_draft_stays_in_its_session_where_no_typed_command_opens_another(stage):
+    async with stage.described() as pilot:
+        first = stage.bench.session.name
+        stage.bench.chat.entry.focus()
+        await pilot.press(*"half")
+        await stage.bench.run_command("new", "fresh")
+        await stage.until(pilot, lambda: stage.bench.session.name == "fresh")
+        assert stage.bench.chat.entry.text == ""
+        await stage.bench.run_command("open", first)
+        await stage.until(pilot, lambda: stage.bench.chat.entry.text == "half")
 
 
 async def test_what_is_sent_before_the_session_is_open_waits_for_it(stage):

@@ -161,6 +161,18 @@ async def test_keys_undo_what_was_typed_and_no_turn(stage):
         assert area.cursor_location == area.document.end
 
 
+async def test_a_new_line_of_code_begins_as_far_in_as_the_one_before(stage):
+    async with stage.described() as pilot:
+        area = stage.bench.code.area
+        area.text = "behavior B():\n    do Stop(line)"
+        area.focus()
+        area.move_cursor((1, 17))
+        await pilot.press("enter", "x")
+        area.move_cursor((0, 13))
+        await pilot.press("enter", "y")
+        await stage.until(pilot, lambda: area.text == "behavior B():\n    y\n    do Stop(line)\n    x")
+
+
 async def test_tab_leaves_a_field_or_takes_it(stage):
     async with stage.described() as pilot:
         await stage.editing(pilot, "O1:type")

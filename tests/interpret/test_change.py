@@ -106,6 +106,15 @@ def test_who_is_named_and_not_there_is_not_taken_for_another(scene, text, who):
     assert stranger(text, edits, scene) == who
 
 
+@pytest.mark.parametrize(("text", "who"), [
+    ("the motorcycle should brake after 4 s", "motorcycle"), ("the van should brake after 4 s", ""),
+    ("the motorcycle makes the van brake", ""), ("it should brake when the motorcycle is near", ""),
+])  # fmt: skip
+def test_who_is_named_and_there_is_not_taken_for_another(scene, text, who):
+    both = changed_structure(scene, ["+O2: motorcycle at=behind"])
+    assert stranger(text, differences(both, changed_structure(both, ["O1: ; brake"])), both) == who
+
+
 @pytest.mark.parametrize(("text", "line", "path", "value"), [
     ("put the van 5 m closer", "O1: gap=17m", "placement.gap", 7.0),
     ("5 m further away", "O1: gap=5m", "placement.gap", 17.0),
@@ -163,3 +172,14 @@ def test_a_sentence_follows_its_fields_however_it_came_to_them():
     assert "25 m" in changed["O1"].description and "brakes hard" in changed["O1"].description
     own = apply(scene, SetDescription(component="O1", description="Somebody ahead, 40 m off, in a hurry."))
     assert changed_structure(own, ["O1: gap=25m"])["O1"].description == own["O1"].description
+
+
+@pytest.mark.parametrize(("before", "line", "kept"), [
+    ("cut_in gap=12m @distance of=ego value=25m", "cut_in gap=18m", "cut_in gap=18m @distance of=ego value=25m"),
+    ("brake rate=3m/s2 speed=20km/h", "brake pace=slow", "brake pace=slow rate=3m/s2"),
+    ("overtake target=ego abandoned @passed subject=ego", "overtake target=ego", "overtake target=ego"),
+    ("brake rate=3m/s2 ; stop", "stop", "stop"), ("brake rate=3m/s2", "brake ; brake", "brake ; brake"),
+])  # fmt: skip
+def test_a_phase_keeps_what_a_change_of_it_does_not_name(before, line, kept):
+    one, other = (structure_of(parse(f"R: road\nE: car\nO1: van at=ahead ; {phases}"), TEXT) for phases in (before, kept))
+    assert changed_structure(one, [f"O1: ; {line}"])["O1"].spec == other["O1"].spec

@@ -14,6 +14,8 @@ COMES = (
     "u_turn",
 )  # fmt: skip
 """What leads one into another's way."""
+AT_LAST = 4
+"""m/s2 that it takes by when one gets round ego that comes into its way."""
 NEED = 2
 """m/s2 that it takes to stay behind another, from which one brakes for that one."""
 
@@ -21,6 +23,8 @@ NEED = 2
 def because(course: Course, phase: Phase) -> str:
     """Until when one drives on that then brakes, or stops, for its target; "": it does so of its own accord."""
     a = course.actor
+    if a.approach and phase.action == "swerve" and phase.trigger is None and phase.target in (None, "ego"):
+        return f"until braking_needed(self, ego) > {AT_LAST}"
     if _answers(course, phase) and (does := comes(course, phase)):
         seen = Trigger(kind="action", of=phase.target, action=does)
         return f"until {watched(a.structure, a.plan, seen, a.cid)}"

@@ -30,11 +30,15 @@ def sideways(metres: float, shift: float) -> float:
     return math.sqrt(2 * metres / rate) if metres < gained else shift / rate + (metres - gained) / shift
 
 
+BEGUN = 0.3
+"""m to the side by which one that is as wide as its lane has begun to come over the line."""
+
+
 def to_line(kind: str, phase: Phase) -> float:
     """s from the beginning of a phase until the side of a vehicle of a kind comes over the lane line."""
     if phase.action not in LATERAL:
         return 0.0
-    return sideways(max((LANE_WIDTH - WIDTH[kind]) / 2, 0.0), shift_of(phase)) + ANSWERS
+    return sideways(max((LANE_WIDTH - WIDTH[kind]) / 2, BEGUN), shift_of(phase)) + ANSWERS
 
 
 def said(phase: Phase) -> float | None:

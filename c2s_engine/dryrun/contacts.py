@@ -7,6 +7,8 @@ GRAZE, ASKEW = 3.0, 0.3
 """m/s at which two come nearer whose sides only graze, and the sine of the angle up to which these are sides."""
 LOW = 0.3
 """m: props lower than this are driven over."""
+WALKER = 0.075
+"""t of somebody on foot."""
 
 
 def corners(x: float, y: float, heading: float, length: float, width: float) -> list[tuple[float, float]]:
@@ -91,10 +93,17 @@ class Contacts:
                 if drive:
                     self.touched.append(pair)
                 if not drive or not _grazes(one, other, self._axis(*pair[:2])):
-                    _crash(one, other)
+                    _crash(one, other, self._share(*pair[:2]))
         for i, j, _ in self.touched:
             if self._touch(i, j):
-                _push(self.actors[i].body, self.actors[j].body, self._axis(i, j))
+                _push(self.actors[i].body, self.actors[j].body, self._axis(i, j), self._share(i, j))
+
+    def _share(self, i: int, j: int) -> float:
+        """How much of both masses is the first one's; of things, whose mass is not known, a half."""
+        if "prop" in (self.kinds[i], self.kinds[j]):
+            return 0.5
+        one, other = (WALKER if self.kinds[k] == "walker" else self.actors[k].body.kind.mass for k in (i, j))
+        return float(one / (one + other))
 
     def _axis(self, i: int, j: int) -> tuple[float, float]:
         """Across which two boxes that overlap do so least: from the first to the second, of length 1."""
@@ -119,19 +128,21 @@ def _grazes(a: Any, b: Any, axis: tuple[float, float]) -> bool:
     return along < ASKEW and closing < GRAZE
 
 
-def _push(a: Any, b: Any, axis: tuple[float, float]) -> None:
-    """Two that have crashed do not go through one another: across where they touch, they move alike from then on."""
+def _push(a: Any, b: Any, axis: tuple[float, float], share: float) -> None:
+    """Two that have crashed do not go through one another: across where they touch, they move alike from then on.
+    `share`: of both masses the first one's."""
     va, vb = a.velocity(), b.velocity()
     closing = (va[0] - vb[0]) * axis[0] + (va[1] - vb[1]) * axis[1]
     if closing > 0:
-        a.set_velocity(va[0] - closing / 2 * axis[0], va[1] - closing / 2 * axis[1])
-        b.set_velocity(vb[0] + closing / 2 * axis[0], vb[1] + closing / 2 * axis[1])
+        lost, gained = closing * (1 - share), closing * share
+        a.set_velocity(va[0] - lost * axis[0], va[1] - lost * axis[1])
+        b.set_velocity(vb[0] + gained * axis[0], vb[1] + gained * axis[1])
 
 
-def _crash(a: Any, b: Any) -> None:
-    """What is hit takes on half of the other's motion; both roll out without control."""
+def _crash(a: Any, b: Any, share: float) -> None:
+    """Both move on with the motion that their masses have together, without control; `share`: the first one's."""
     va, vb = a.velocity(), b.velocity()
-    mean = ((va[0] + vb[0]) / 2, (va[1] + vb[1]) / 2)
+    mean = (share * va[0] + (1 - share) * vb[0], share * va[1] + (1 - share) * vb[1])
     for body in (a, b):
         body.set_velocity(*mean)
         body.dead = True

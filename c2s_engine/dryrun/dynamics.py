@@ -14,7 +14,7 @@ GRIP = 8.5
 
 @dataclass(frozen=True)
 class VehicleClass:
-    """What a class of vehicles can do: m/s2, W/kg, rad; `drag` in 1/m (deceleration = drag * v**2)."""
+    """What a class of vehicles can do: m/s2, W/kg, rad; `drag` in 1/m (deceleration = drag * v**2); `mass` in t."""
 
     acceleration: float
     power: float
@@ -24,6 +24,7 @@ class VehicleClass:
     steering: float = 0.7
     handbrake: float = 5.0
     engine_brake: float = 0.6
+    mass: float = 1.6
 
 
 COAST = 0.01
@@ -31,12 +32,12 @@ COAST = 0.01
 
 CLASSES = {
     "car": VehicleClass(6.0, 100.0, 8.5, 0.00026),
-    "van": VehicleClass(4.5, 65.0, 8.0, 0.00035),
-    "pickup": VehicleClass(4.5, 80.0, 8.5, 0.00035),
-    "truck": VehicleClass(3.0, 32.0, 7.0, 0.0003),
-    "bus": VehicleClass(2.5, 28.0, 6.5, 0.0003, steering=0.75),
-    "motorcycle": VehicleClass(6.5, 110.0, 8.0, 0.0006, rolling=0.1, steering=0.55),
-    "bicycle": VehicleClass(2.5, 14.0, 5.0, 0.003, rolling=0.08, steering=0.6, engine_brake=0.0),
+    "van": VehicleClass(4.5, 65.0, 8.0, 0.00035, mass=2.5),
+    "pickup": VehicleClass(4.5, 80.0, 8.5, 0.00035, mass=2.3),
+    "truck": VehicleClass(3.0, 32.0, 7.0, 0.0003, mass=14.0),
+    "bus": VehicleClass(2.5, 28.0, 6.5, 0.0003, steering=0.75, mass=12.0),
+    "motorcycle": VehicleClass(6.5, 110.0, 8.0, 0.0006, rolling=0.1, steering=0.55, mass=0.28),
+    "bicycle": VehicleClass(2.5, 14.0, 5.0, 0.003, rolling=0.08, steering=0.6, engine_brake=0.0, mass=0.09),
 }
 
 

@@ -1072,7 +1072,7 @@ def turns_round(car, least=0.15):
 
 # Speeds (m/s) for Drive that depend on another
 
-FALLS_BACK = 3  # m/s by which one is slower than whom it follows too closely
+FALLS_BACK = 1.5  # m/s by which one is slower than whom it follows too closely
 CALM_BRAKING = 2.5  # m/s2 with which one brakes behind another that slows down
 
 def following_speed(car, lead, speed, headway=1.5, standstill_gap=4, points=None):

@@ -181,5 +181,6 @@ def test_a_sentence_follows_its_fields_however_it_came_to_them():
     ("brake rate=3m/s2 ; stop", "stop", "stop"), ("brake rate=3m/s2", "brake ; brake", "brake ; brake"),
 ])  # fmt: skip
 def test_a_phase_keeps_what_a_change_of_it_does_not_name(before, line, kept):
-    one, other = (structure_of(parse(f"R: road\nE: car\nO1: van at=ahead ; {phases}"), TEXT) for phases in (before, kept))
+    said = "R: road\nE: car\nO1: van at=ahead ; {}"
+    one, other = (structure_of(parse(said.format(phases)), TEXT) for phases in (before, kept))
     assert changed_structure(one, [f"O1: ; {line}"])["O1"].spec == other["O1"].spec

@@ -93,13 +93,22 @@ def collides(c: Course, p: Phase) -> list[Step]:
     until = slowed(c.actor, p.target)
     if not until:  # nothing else brings it to the other than that it is faster
         c.set(faster)
-    elif until == STANDS and c.actor.value > 0:  # it looks up too late
+    elif until == STANDS and c.actor.value > 0 and not _pushes(c.actor.structure):  # it looks up too late
         slower = goal < c.actor.plan.ego_speed - SLOWER  # its own speed is that at which it hits ego
         comes = "EGO_SPEED" if slower else c.actor.speed
         left = scope.number(min(goal if p.speed is not None or slower else NUDGE, c.actor.value))
         left = f"{comes} / 3" if p.speed is None and not slower and c.actor.value > 3 * NUDGE else left
         return [([f"do BrakeTooLate(line, {other}, {comes}, {left})"], f"until touch(self, {other})"), _stands(c)]
     return _drives_on(c, other)
+
+
+def _pushes(structure: Structure) -> bool:
+    """Whether ego, which stands, is to be pushed into what stands ahead of it."""
+    ego = structure.ego.spec
+    targets = (p.target for p in getattr(ego, "phases", ()) if p.action == "collide")
+    hit = (structure[cid].spec for cid in targets if cid in structure)
+    stops = getattr(ego, "speed", None) == 0 or {"stop", "wait", "stationary"} & _does(ego)  # type: ignore[arg-type]
+    return bool(stops) and any(isinstance(o, ObjectSpec) and o.placement.position == "ahead" for o in hit)
 
 
 def _just_drives(spec: ObjectSpec | None) -> bool:

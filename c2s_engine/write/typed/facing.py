@@ -5,7 +5,7 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, PlaceSpec
 from c2s_engine.write.typed.passing import ASIDE, CALM, Overtaking, overtakings
 from c2s_engine.write.typed.tables import JUNCTION, LANE_WIDTH, LENGTH, RAMP, is_static, is_vehicle
-from c2s_engine.write.typed.usual import UNDISTURBED, speed_of
+from c2s_engine.write.typed.usual import UNDISTURBED, crosses, default_gap, speed_of
 
 SPARE = {"ego": 1.5, "other": 2.0}
 """s after who overtakes is back in its lane, where nobody reacts: ego, or another."""
@@ -21,6 +21,8 @@ WIDE = 1.9
 """m, of most cars."""
 OVERLAP = {True: 0.2, False: -0.4}
 """m by which two overlap who meet head-on, where they are to touch, and where they are not."""
+NEAREST = 60.0
+"""m at least from which one comes towards ego."""
 DRIFTS = 0.7
 """m/s sideways"""
 OUT = {"swerve", "oncoming", "lane_change"}
@@ -62,6 +64,8 @@ def facing(structure: Structure, place: PlaceSpec) -> Structure:
             gap = (speed + _drives(spec, place)) * (begins + UNDISTURBED)
         elif (meets := _out_until(ego, spec, hit)) is not None:
             gap = (speed + _drives(spec, place)) * meets
+        elif not hit and {p.action for p in spec.phases} <= CALM and (there := _reached(structure, speed, place)):
+            gap = max((speed + _drives(spec, place)) * there, NEAREST)
         else:
             continue
         placed = spec.placement.model_copy(update={"gap": round(gap, 1)})
@@ -74,6 +78,24 @@ def _comes(spec: ObjectSpec) -> bool:
     at = spec.placement
     there = at.position == "oncoming_lane" and at.of == "ego" and at.gap is None
     return there and is_vehicle(spec.type) and not is_static(spec)
+
+
+def _reached(structure: Structure, speed: float, place: PlaceSpec) -> float:
+    """When (s) ego would be where it stops, or brakes, for what stands in its lane or comes onto it; 0: it does not.
+    Who comes the other way is there then."""
+    ego = structure.ego.spec
+    assert isinstance(ego, EgoSpec)
+    named = [p.target for p in ego.phases if p.action in ("stop", "brake") and p.trigger is None]
+    reacts = ego.react_to if ego.reaction == "brake" else None
+    whom = next((cid for cid in (*named, reacts) if cid and cid in structure), None)
+    spec = structure[whom].spec if whom else None
+    if not isinstance(spec, ObjectSpec) or spec.placement.of != "ego" or speed <= 0:
+        return 0.0
+    stands = is_static(spec) and spec.placement.position in ("ahead", "partly_in_lane")
+    if not stands and not crosses(spec):
+        return 0.0
+    gap = middle(spec.placement.gap) if spec.placement.gap is not None else default_gap(spec, speed, place)
+    return gap / speed
 
 
 def _answers(spec: ObjectSpec) -> bool:

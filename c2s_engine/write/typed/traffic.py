@@ -84,14 +84,16 @@ def _at_pace(structure: Structure) -> Structure:
     for component in structure.objects:
         spec = component.spec
         assert isinstance(spec, ObjectSpec)
-        by = structure.ego.spec if spec.placement.of == "ego" else structure[spec.placement.of].spec
+        of_ego = spec.placement.of == "ego"
+        by = structure.ego.spec if of_ego else structure[spec.placement.of].spec
         speed = getattr(by, "speed", None)
         if speed is None and isinstance(by, ObjectSpec) and spec.placement.position == "behind" and _drives(by):
             speed = speed_of(by, structure.place.spec)  # type: ignore[arg-type]
         if not (_open_pace(spec) or _runs_up(spec, ego)) or speed is None or middle(speed) <= 0:
             continue
-        if spec.placement.position == "oncoming_lane" and getattr(by, "pace", None) is not None:
-            continue  # a word says how one drives, not how all do
+        behind_another = of_ego and [p.action for p in ego.phases[:1]] == ["follow"]
+        if spec.placement.position == "oncoming_lane" and (getattr(by, "pace", None) or behind_another):
+            continue  # a word, or whom ego follows, says how one drives, and not how all do
         followed = any(p.action == "follow" and p.target == component.id for p in ego.phases)
         calm = {p.action for p in spec.phases} <= CALM and not followed
         first = spec.placement.position == "ahead" and spec.placement.of == "ego"

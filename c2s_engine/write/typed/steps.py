@@ -104,7 +104,8 @@ def _keep_lane(c: Course, p: Phase) -> list[Step]:
 
 def _over_junction(c: Course, p: Phase) -> list[Step]:
     """The line already turns; the phase is over when the junction is behind."""
-    drive = c.drive(c.set(c.wanted(p, _moving(c))), middle(p.rate) if p.rate else None)
+    goal, rate = c.set(c.wanted(p, _moving(c))), middle(p.rate) if p.rate else None
+    drive = c.drive(goal, rate)
     if not (c.actor.plan.junction and (c.actor.is_ego or c.actor.approach or c.lane is not None)):
         return [([drive], ending(p, ""))]
     phases = c.actor.spec.phases
@@ -116,7 +117,7 @@ def _over_junction(c: Course, p: Phase) -> list[Step]:
     if not c.aside or p.action == "go_straight":
         return over
     c.aside = ""  # it turned from beside another
-    return [*over, ([drive], "")]
+    return [*over, ([c.drive(goal, rate)], "")]
 
 
 def _past_line(c: Course, p: Phase) -> list[Step]:

@@ -115,7 +115,10 @@ def run(
         typer.Option(help="Run it once with each of N seeds: 20, or 5-9; a row each, passed or failed. Files (--svg, "
                           "--png, --csv) are of the first seed's run."),
     ] = None,
-    seconds: Annotated[float, typer.Option(min=0.1, max=600, help="Simulated seconds a rollout at most.")] = 20.0,
+    seconds: Annotated[
+        float | None,
+        typer.Option(min=0.1, max=600, help="Simulated seconds at most; default: 20, or the program's own end."),
+    ] = None,
     simulator: Annotated[str, typer.Option(help="dry (no CARLA needed) or carla.")] = "dry",
     address: Annotated[str, typer.Option(help="carla: HOST:PORT of the server.")] = "127.0.0.1:2000",
     svg: Annotated[Path | None, typer.Option(help="Write a top-down picture.")] = None,
@@ -135,8 +138,9 @@ def run(
         from c2s_engine.dryrun.carla import run_in_carla
 
         with sentences(as_json):
+            most = seconds or 20.0
             raise typer.Exit(
-                run_in_carla(text, file, address=address, seed=seed, seconds=seconds, model=model, scenario=scenario)
+                run_in_carla(text, file, address=address, seed=seed, seconds=most, model=model, scenario=scenario)
             )
     if simulator != "dry":
         fail(f"There is no simulator {simulator}: say dry or carla.", BAD_INPUT, as_json)

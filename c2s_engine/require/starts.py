@@ -11,7 +11,7 @@ from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import ObjectSpec, Placement
-from c2s_engine.structure.vocabulary import FOUR_WHEELED
+from c2s_engine.structure.vocabulary import FOUR_WHEELED, SIDED
 
 LANES = {
     "ahead": ("same",), "behind": ("same",), "left_lane": ("left",), "right_lane": ("right",),
@@ -66,7 +66,7 @@ def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Ite
     if along and not (along == "ahead" and place.gap is not None and low(place.gap) <= 0):
         yield scene.make("start", "start_along", actor, "placement.along", f"{name} starts, relative to {of}: {along}.",
                          other=place.of, along=str(along))  # fmt: skip
-    side = SIDEWAYS.get(place.position) or place.side
+    side = SIDEWAYS.get(place.position) or (place.side if place.position in SIDED else None)
     if side and (place.position != "beside" or spec.type in RIDERS):
         seen_from = EGO if place.position in OFF_LANES else place.of  # the side of the road, whoever stands there
         yield scene.make("start", "start_side", actor, "placement.side", f"{name} starts to the {side} of "

@@ -7,6 +7,7 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from c2s_engine.structure import layout
 from c2s_engine.structure.components import OBJECT_ID, Assumption, Component, ComponentId, Structure, Unmet
 from c2s_engine.structure.specs import AnySpec, ObjectSpec
+from c2s_engine.structure.vocabulary import SIDED
 
 SPEC_ADAPTER: TypeAdapter[AnySpec] = TypeAdapter(AnySpec)
 
@@ -184,9 +185,20 @@ def _changed(component: Component, edit: SetDescription | SetSpec | SetField | S
         spec = SPEC_ADAPTER.validate_python(data)
     except ValidationError as error:
         raise EditError(f"{component.id}.{edit.path}: {refused(error, edit.value)}") from None
+    if edit.path == "placement.side" and edit.value is not None and (why := no_side(spec)):
+        raise EditError(f"{component.id}.{edit.path}: {why}")
     dropped = edit.path.split(".")[0]
     assumed = tuple(a for a in component.assumed if a.field.split(".")[0] != dropped)
     return component.model_copy(update={"spec": spec, "assumed": assumed})
+
+
+def no_side(spec: AnySpec) -> str:
+    """Why a place has no side, in words; "": it has one, or is none."""
+    at = spec.placement if isinstance(spec, ObjectSpec) else None
+    if at is None or at.position in SIDED:
+        return ""
+    where = at.position.replace("_", " ")
+    return f"a place {where} has no side (those that have: {', '.join(SIDED)}): change the position first"
 
 
 def refused(error: ValidationError, value: Any) -> str:

@@ -8,6 +8,9 @@ from pydantic import BaseModel, ConfigDict
 from c2s_engine.structure import layout
 from c2s_engine.structure.components import Component, ComponentId, Structure
 
+_ENDS = re.compile(r"^terminate after (\d+(?:\.\d+)?) seconds", re.MULTILINE)
+LONGEST = 600.0
+"""s of the longest run."""
 _COMMENT = re.compile(r"""('[^']*'|"[^"]*")|#.*""")
 
 
@@ -63,6 +66,11 @@ class Program(BaseModel):
         """The text of a component's fragment, as it stands in the program (its parts, where it is scattered)."""
         lines = list(io.StringIO(self.text, newline="\n"))
         return "".join("".join(lines[s.first - 1 : s.last]) for s in self.spans if s.component == cid)
+
+
+def own_length(text: str) -> float:
+    """The s after which a program ends by its own words; 0: it says none. At most `LONGEST`."""
+    return min(max((float(m[1]) for m in _ENDS.finditer(text)), default=0.0), LONGEST)
 
 
 def assemble(structure: Structure) -> Program:

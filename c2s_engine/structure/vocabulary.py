@@ -12,6 +12,8 @@ VEHICLES: tuple[VehicleType, ...] = get_args(VehicleType)
 MOTOR: tuple[VehicleType, ...] = tuple(v for v in VEHICLES if v != "bicycle")
 FOUR_WHEELED: tuple[VehicleType, ...] = tuple(v for v in MOTOR if v != "motorcycle")
 WITH_SIREN: frozenset[VehicleType] = frozenset(("police_car", "ambulance", "fire_truck"))
+SIDED = ("beside", "roadside", "sidewalk", "parked", "partly_in_lane", "intersection_exit")
+"""Positions that have a side."""
 ON_FOOT = frozenset(("pedestrian", "child", "animal"))
 ObjectType = Literal[
     VehicleType,

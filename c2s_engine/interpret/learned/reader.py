@@ -25,7 +25,7 @@ from c2s_engine.interpret.mentions import mentions, names_ego
 from c2s_engine.interpret.settings import Settings, detect
 from c2s_engine.structure.account import is_set
 from c2s_engine.structure.components import READ, Assumption, Component, Link, Structure, Unmet, field_words
-from c2s_engine.structure.edits import SPEC_ADAPTER
+from c2s_engine.structure.edits import SPEC_ADAPTER, no_side
 from c2s_engine.structure.leaves import value_at
 from c2s_engine.structure.objects import distinct_names, in_order
 from c2s_engine.structure.sentences import described
@@ -178,6 +178,9 @@ def component_of_data(cid: str, data: dict[str, Any], ids: set[str], speeds: dic
     lost: list[str] = []
     own = "ego" if cid == "E" else cid
     spec = _spec(cid[0], _known(si(_in_units(data, own, speeds, lost)), ids, own, lost), lost)
+    if isinstance(spec, ObjectSpec) and spec.placement.side and no_side(spec):
+        lost.append(f"side {spec.placement.side}")
+        spec = spec.model_copy(update={"placement": spec.placement.model_copy(update={"side": None})})
     return Component(id=cid, spec=spec, unmet=tuple(Unmet(text=said, reason=NOT_USED) for said in lost))
 
 

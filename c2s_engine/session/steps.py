@@ -1,6 +1,5 @@
 """The engine's steps as plain functions: interpret, configure, write, check. The graph's nodes are thin over them."""
 
-import re
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -15,7 +14,7 @@ from c2s_engine.session.settle import settle, strictly
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.edits import Edit, EditError, apply
-from c2s_engine.structure.program import Program, assemble
+from c2s_engine.structure.program import Program, assemble, own_length
 from c2s_engine.structure.progress import ComponentState, ProgramChanged, Progress, RunDone, StageDone, StageStarted
 from c2s_engine.structure.regenerate import FragmentWriter, dirty, regenerate
 from c2s_engine.structure.requirements import Run
@@ -114,12 +113,6 @@ def _state(component: Component) -> ComponentState:
     return ComponentState(component=component, state="by_hand" if component.origin == "by_hand" else "clean")
 
 
-def own_length(program: Program) -> float:
-    """The s after which a program says that it ends, 0 where it says nothing."""
-    said = re.findall(r"^terminate after ([\d.]+) seconds", program.text, re.MULTILINE)
-    return max(map(float, said), default=0.0)
-
-
 async def check(
     program: Program,
     tools: Tools,
@@ -143,7 +136,7 @@ async def check(
         upto=upto,
         seed=seed,
         runs=runs,
-        seconds=max(tools.settings.seconds, own_length(program)),
+        seconds=max(tools.settings.seconds, own_length(program.text)),
         trajectories=trajectories or upto == "run",
         trust=trust,
         allow=tools.settings.allow,

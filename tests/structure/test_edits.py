@@ -62,6 +62,7 @@ def test_an_edit_is_the_same_after_it_was_read_in_another_process():
         (SetField(component="O9", path="speed", value=3), "no component O9"),
         (SetField(component="O1", path="colour", value="red"), "no field colour"),
         (SetField(component="O1", path="speed", value=[9, 3]), "above its upper end"),
+        (SetField(component="O1", path="placement.side", value="right"), "a place ahead has no side"),
         (SetField(component="O1", path="type", value="unicorn"), "O1.type: unicorn is not one of 'car',"),
         (SetField(component="O1", path="speed", value=-3), "^O1.speed: a speed is not below 0; who drives backwards"),
         (SetField(component="E", path="speed", value=[20, 250]), "^E.speed: a speed is at most 360 km/h$"),

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import AddObject, MoveObject, RemoveObject, SetProgram, apply
 from c2s_engine.structure.layout import edited, merged
-from c2s_engine.structure.program import assemble
+from c2s_engine.structure.program import assemble, own_length
 from c2s_engine.structure.specs import ObjectSpec
 
 WRITTEN = {
@@ -150,3 +150,17 @@ def test_both_changes_of_a_text_are_kept(data):
     assert [line for line in mine.splitlines() if line not in base] == [
         line for line in both.splitlines() if line not in base and line != "line 3 of theirs"
     ]
+
+
+@pytest.mark.parametrize(
+    ("text", "seconds"),
+    [
+        ("ego = new Car\nterminate after 33 seconds\n", 33),
+        ("terminate after 5 seconds\nterminate after 12.5 seconds", 12.5),
+        ("# terminate after 33 seconds", 0),
+        ("terminate when ego.speed < 1", 0),
+        ("terminate after 99999 seconds", 600),
+    ],
+)
+def test_a_program_says_how_long_it_runs(text, seconds):
+    assert own_length(text) == seconds

@@ -17,7 +17,7 @@ from c2s_engine.structure.diagnostics import StageResult
 from c2s_engine.structure.edits import Edit, apply
 from c2s_engine.structure.facts import RunFacts, Trajectories
 from c2s_engine.structure.measures import Measures, SeedResult
-from c2s_engine.structure.program import FragmentSpan, Program, assemble, own_length
+from c2s_engine.structure.program import FragmentSpan, Program, assemble, run_limit
 from c2s_engine.structure.progress import Finished, Progress, Say
 from c2s_engine.structure.requirements import Requirement, Result
 
@@ -255,7 +255,7 @@ class Engine:
                 upto=upto,
                 seed=seed,
                 runs=runs,
-                seconds=seconds or max(self.settings.seconds, own_length(program) + 1.0),
+                seconds=seconds or run_limit(program, self.settings.seconds),
                 trajectories=trajectories,
                 trust=trust,
                 folder=folder,

@@ -17,6 +17,7 @@ from c2s_engine.commands.series import chosen_seeds, series
 from c2s_engine.saving import beside, spans, taken
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.measures import Measures
+from c2s_engine.structure.program import run_limit
 from c2s_engine.structure.requirements import Requirement, Result
 
 if TYPE_CHECKING:
@@ -138,7 +139,7 @@ def run(
         from c2s_engine.dryrun.carla import run_in_carla
 
         with sentences(as_json):
-            most = seconds or 20.0
+            most = seconds or run_limit(text, 20.0)
             raise typer.Exit(
                 run_in_carla(text, file, address=address, seed=seed, seconds=most, model=model, scenario=scenario)
             )

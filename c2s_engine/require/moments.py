@@ -10,13 +10,13 @@ from c2s_engine.require.geometry import lead
 from c2s_engine.require.results import between, scored, span, unknown, words
 from c2s_engine.require.scene import TURNS, Scene, bounds
 from c2s_engine.structure.facts import EGO, component_of
+from c2s_engine.structure.objects import SLOWS
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import Phase
 from c2s_engine.structure.vocabulary import VEHICLES
 
 OVER_LINE = ("cut_in", "cut_out", "lane_change")
-SLOWS = ("brake", "stop")
 SETS_OUT = ("enter_road", "cross_road", "leave_road", "move_along", "reverse")
 """What begins as somebody who stood sets out, long before it is seen on the road."""
 SIDEWAYS = (*OVER_LINE, "swerve", "drift")

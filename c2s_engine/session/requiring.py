@@ -13,7 +13,7 @@ from c2s_engine.session.steps import Emit, Tools
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.facts import Trajectories
 from c2s_engine.structure.measures import Measures
-from c2s_engine.structure.program import Program, assemble, own_length
+from c2s_engine.structure.program import Program, assemble, run_limit
 from c2s_engine.structure.requirements import Requirement, Result, Run
 from c2s_engine.structure.specs import RestrictionsSpec
 from c2s_engine.write.typed import TypedWriter
@@ -56,7 +56,7 @@ async def check_and_judge(structure: Structure, program: Program, tools: Tools, 
     """Check a program and judge its runs by S; the runs without ego's reaction are made beside."""
     beside = asyncio.create_task(
         _without_reaction(structure, tools, map_name=map_name, room=room, seed=seed, runs=runs,
-                          seconds=max(LONGEST, own_length(program.text)))
+                          seconds=run_limit(program.text, LONGEST))
     ) if upto == "run" else None  # fmt: skip
     try:
         report = await steps.check(program, tools, emit, folder=folder, upto=upto, seed=seed, runs=runs,

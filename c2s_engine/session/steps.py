@@ -14,7 +14,7 @@ from c2s_engine.session.settle import settle, strictly
 from c2s_engine.structure.components import Component, ComponentId, Structure
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.edits import Edit, EditError, apply
-from c2s_engine.structure.program import Program, assemble, own_length
+from c2s_engine.structure.program import Program, assemble, run_limit
 from c2s_engine.structure.progress import ComponentState, ProgramChanged, Progress, RunDone, StageDone, StageStarted
 from c2s_engine.structure.regenerate import FragmentWriter, dirty, regenerate
 from c2s_engine.structure.requirements import Run
@@ -136,7 +136,7 @@ async def check(
         upto=upto,
         seed=seed,
         runs=runs,
-        seconds=max(tools.settings.seconds, own_length(program.text)),
+        seconds=run_limit(program.text, tools.settings.seconds),
         trajectories=trajectories or upto == "run",
         trust=trust,
         allow=tools.settings.allow,

@@ -219,7 +219,7 @@ def _of_phase(cid: ComponentId, i: int, phase: Phase, speeds: Mapping[str, float
         yield Unknown(cid, f"{path}.trigger", value)
     if i == 0 and phase.action == "wait" and untimed and is_open(f"{path}.duration", phase.duration):
         yield Unknown(cid, f"{path}.duration", middle(phase.duration) if phase.duration is not None else STANDS_FOR)
-    if phase.action in ("brake", "stop") and is_open(f"{path}.rate", phase.rate):
+    if phase.action in SLOWS and is_open(f"{path}.rate", phase.rate):
         yield Unknown(cid, f"{path}.rate", middle(phase.rate) if phase.rate is not None else 3.5)
     if phase.action in ("overtake", "accelerate") and is_open(f"{path}.speed", phase.speed):
         least = speeds.get("E" if phase.target == "ego" else str(phase.target), 0.0) + FASTER

@@ -68,9 +68,10 @@ class Program(BaseModel):
         return "".join("".join(lines[s.first - 1 : s.last]) for s in self.spans if s.component == cid)
 
 
-def own_length(text: str) -> float:
-    """The s after which a program ends by its own words; 0: it says none. At most `LONGEST`."""
-    return min(max((float(m[1]) for m in _ENDS.finditer(text)), default=0.0), LONGEST)
+def run_limit(text: str, usual: float = 0.0) -> float:
+    """The s that a run of a program takes at most: as usual, or until it ends by its own words, if that is later. At
+    most `LONGEST`."""
+    return min(max(usual, *(float(m[1]) for m in _ENDS.finditer(text)), 0.0), LONGEST)
 
 
 def assemble(structure: Structure) -> Program:

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import AddObject, MoveObject, RemoveObject, SetProgram, apply
 from c2s_engine.structure.layout import edited, merged
-from c2s_engine.structure.program import assemble, own_length
+from c2s_engine.structure.program import assemble, run_limit
 from c2s_engine.structure.specs import ObjectSpec
 
 WRITTEN = {
@@ -163,4 +163,5 @@ def test_both_changes_of_a_text_are_kept(data):
     ],
 )
 def test_a_program_says_how_long_it_runs(text, seconds):
-    assert own_length(text) == seconds
+    assert run_limit(text) == seconds
+    assert run_limit(text, usual=20.0) == max(seconds, 20)

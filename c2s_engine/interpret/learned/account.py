@@ -195,7 +195,7 @@ def _things(structure: Structure) -> Iterator[Unmet]:
     plain = normalised(structure.text)
     held = {(path.rsplit(".", 1)[-1], value) for c in structure.components
             for path, value in values_of(c.spec.model_dump(mode="json", exclude_defaults=True))
-            if isinstance(value, str | bool | int)}  # fmt: skip
+            if isinstance(value, str | int)}  # fmt: skip
     for row in language.table("trade")["things"]:
         if any((name, value) in held for name, values in row["fields"].items() for value in values):
             continue

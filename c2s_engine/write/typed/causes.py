@@ -15,7 +15,7 @@ COMES = (
 )  # fmt: skip
 """What leads one into another's way."""
 AT_LAST = 4
-"""m/s2 that it takes by when one gets round ego that comes into its way."""
+"""m/s2 that it takes by when one gets round ego that comes into its way, or ego notices whose way it turns across."""
 NEED = 2
 """m/s2 that it takes to stay behind another, from which one brakes for that one."""
 

@@ -6,6 +6,7 @@ from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase
 from c2s_engine.write.typed import scope
 from c2s_engine.write.typed.alongside import offset
+from c2s_engine.write.typed.causes import AT_LAST
 from c2s_engine.write.typed.course import Actor, Course
 from c2s_engine.write.typed.people import REACTS
 from c2s_engine.write.typed.reach import EVADED_AT
@@ -23,8 +24,6 @@ from c2s_engine.write.typed.threats import (
 )
 from c2s_engine.write.typed.usual import crosses, speed_of
 
-AT_LAST = 4.0
-"""m/s2 that it takes when ego notices one beside it whose way it turns across."""
 NEAR_BY = 8.0
 """m before one beside its way by which ego has slowed down for it."""
 HARD = 4.0
@@ -150,7 +149,7 @@ def _confronted(course: Course, phase: Phase) -> bool:
     if offset(spec, a.spec, a.plan.place):  # type: ignore[arg-type]
         return True  # ego turns across its way
     if spec.placement.position == "behind" or spec.placement.along == "behind":
-        comes = any(p.action in ("cut_in", "overtake") for p in spec.phases) and phase.action in ("brake", "stop")
+        comes = any(p.action in ("cut_in", "overtake") for p in spec.phases) and phase.action in SLOWS
         return comes and getattr(a.spec, "reaction", "") != "yield"  # else it has been let by
     abreast = "beside" in (spec.placement.position, spec.placement.along) or spec.placement.along == "abreast"
     if abreast and {p.action for p in spec.phases} <= STAYS:

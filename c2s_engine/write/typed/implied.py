@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+from c2s_engine.structure.objects import SLOWS
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import ahead, lateral, scope, traffic
@@ -59,7 +60,7 @@ def _where_it_begins(course: Course, phase: Phase, first: bool) -> str | None:
         return until
     if first and (until := comes_out(a.structure, a.cid, a.plan, phase, course.wanted(phase, a.value or 2))):
         return until
-    slows = a.is_ego and phase.action in ("brake", "stop")
+    slows = a.is_ego and phase.action in SLOWS
     if course.on_ramp and (phase.action in ("lane_change", "cut_in") or slows):
         return "until self._lane is place.acceleration_lane"
     return None
@@ -126,7 +127,7 @@ def _for_ego(course: Course, phase: Phase, first: bool) -> str | None:
     a = course.actor
     if phase.action == "u_turn" and first and not a.is_ego and (course.oncoming or a.value <= 0):
         return f"until (distance from self to ego) < {scope.number(12 + 2.2 * (a.value + a.plan.ego_speed))}"
-    if first and phase.action in ("brake", "stop") and _comes_over(a):
+    if first and phase.action in SLOWS and _comes_over(a):
         as_fast = a.value < a.plan.ego_speed + NO_FASTER  # ego is no hindrance, and one makes room for it
         return "until braking_needed(self, ego) > 1" + (" or off_lane(ego)" if as_fast else "")
     return None

@@ -70,8 +70,7 @@ def _guarded(actor: Actor, statements: list[str], reacts: bool = False) -> list[
     gone_round = {_about(p) or spec.react_to for p in spec.phases if p.action in (*ASIDE, "overtake", "oncoming")}
     apart = {*gone_round, *([spec.react_to] if spec.reaction == "follow" else [])}
     apart |= {p.target for p in spec.phases if p.clearance is not None and p.trigger is None}  # with room of its own
-    if any(p.action == "overtake" and p.abandoned for p in spec.phases):  # that is how it answers them
-        apart |= {c.id for c in s.objects if _position(s, c.id) == "oncoming_lane"}
+    apart |= _given_way_to(s)
     cids = [c for c in threatening(s) if c not in apart and not is_hit(spec, c) and not _stays_behind(s, c)]
     heeded = {name for line in statements if line.startswith("interrupt") for name in re.findall(r"\w+", line)}
     strikers = _strikers(s, cids)
@@ -79,6 +78,12 @@ def _guarded(actor: Actor, statements: list[str], reacts: bool = False) -> list[
     if reacts:
         return [*statements, *_around([], seen, LAST, _brakes(seen, HARD))[1:]]
     return _around(statements, seen, LAST, _brakes(seen, HARD)) if seen else statements
+
+
+def _given_way_to(structure: Structure) -> set[str]:
+    """Those who come towards ego, where it breaks an overtaking off: that is how it answers them."""
+    broken_off = any(p.action == "overtake" and p.abandoned for p in getattr(structure.ego.spec, "phases", ()))
+    return {c.id for c in structure.objects if broken_off and _position(structure, c.id) == "oncoming_lane"}
 
 
 def _reaction(actor: Actor, statements: list[str]) -> list[str]:
@@ -104,8 +109,7 @@ def _reaction(actor: Actor, statements: list[str]) -> list[str]:
         return _around(statements, seen, 3, _brakes(seen))
     round_it = {p.target for p in spec.phases if p.action == "overtake" and not _slows(actor.structure, p.target)}
     round_it |= {p.target for p in spec.phases if p.clearance is not None}  # or keeps its own room to them
-    broken_off = any(p.action == "overtake" and p.abandoned for p in spec.phases)  # that is how it answers them
-    round_it |= {c for c in cids if broken_off and _position(actor.structure, c) == "oncoming_lane"}
+    round_it |= _given_way_to(actor.structure)
     said = {p.target for p in spec.phases if p.action == "brake" and p.rate is not None and p.trigger is None}
     cids = [c for c in cids if c not in (*round_it, *said)]  # ego drives past these, or brakes as hard as S says
     if spec.reaction != "brake" or not cids or spec.react_to in {c for c in round_it if _stands(actor.structure, c)}:

@@ -32,7 +32,7 @@ from c2s_engine.write.typed.tables import (
 )
 from c2s_engine.write.typed.threats import every, is_hit
 from c2s_engine.write.typed.towards import IN_MIDDLE, ROOM, SHORT, ending, held_for, stops_in_way, yields
-from c2s_engine.write.typed.usual import SETS_OUT, crosses, reach
+from c2s_engine.write.typed.usual import SETS_OUT, STOPS, crosses, reach, stopping
 
 NEAR_SPEED = 0.5
 """m/s within which a speed is reached, as `SlowTo` and `SpeedUpTo` have it."""
@@ -165,7 +165,7 @@ def _brake(c: Course, p: Phase) -> list[Step]:
 
 
 def _stop(c: Course, p: Phase) -> list[Step]:
-    rate = middle(p.rate) if p.rate else (7 if _hard(c) else 3.5)
+    rate = stopping(c.actor.spec, p)
     drive = c.drive("0", rate)
     first: Step = ([drive], "until self.speed < 0.2")
     whom = p.target or (p.trigger.of if p.trigger else None)
@@ -177,7 +177,7 @@ def _stop(c: Course, p: Phase) -> list[Step]:
         before = f"do StopBefore(line, [{every(c.actor.structure, str(whom))}]{more})"
         return [([before], ""), ([drive], ending(p, "for 1 seconds"))]
     if p.trigger and (p.trigger == AT_LINE or p.trigger.kind == "light") and (lane := c.actor.to_junction):
-        own = "" if rate == 3.5 else f", rate={scope.number(rate - 0.5)}"
+        own = "" if rate == STOPS else f", rate={scope.number(rate - 0.5)}"
         first = ([f"do StopAtLine(line, {lane}, {c.speed}{own})"], "")
     first = _short_of_them(c, p) or first
     if p.duration is None and (until := sets_out_to_meet(c)):

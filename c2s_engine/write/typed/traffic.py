@@ -28,13 +28,13 @@ from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.lateral import LATERAL, to_line
 from c2s_engine.write.typed.tables import DEFAULT_SPEED, LENGTH, is_static, is_vehicle
 from c2s_engine.write.typed.threats import stops_ego
-from c2s_engine.write.typed.usual import default_gap, speed_of
+from c2s_engine.write.typed.usual import default_gap, speed_of, stopping
 
 ALIKE = 0.4
 """m by which two gaps are the same."""
-STOPS, FORCED, LATE = 3.5, 4.5, 5.0
-"""m/s2 with which ego comes to a stand where nothing says how hard, of its own accord and for somebody; with which one
-brakes then that looks up too late."""
+FORCED, LATE = 4.5, 5.0
+"""m/s2 with which ego comes to a stand that somebody forces to it, and with which one brakes then that looks up too
+late."""
 AFTER_IT, STILL = 0.6, 1 / 3
 """s after ego stands by which that one reaches it, and how fast it still is, of its own speed."""
 FURTHEST_BEHIND = 150.0
@@ -112,7 +112,7 @@ def _late_behind(structure: Structure) -> Structure:
     forced = ego.reaction in ("brake", "yield") and stops_ego(structure)
     if own <= 0 or stop is None and not forced:
         return structure
-    rate = middle(stop.rate) if stop is not None and stop.rate is not None else FORCED if forced else STOPS
+    rate = FORCED if stop is None or forced and stop.rate is None else stopping(ego, stop)
     begun = max(begins(structure, cid) for cid in ("E", *(c.id for c in structure.objects if forced)))
     stands, metres = begun + own / rate, own * begun + own**2 / (2 * rate)
     for component in structure.objects:

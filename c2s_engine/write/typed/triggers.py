@@ -38,7 +38,7 @@ def stated(course: Course, phase: Phase) -> str:
             return found
         if phase.action == "cut_in" and course.value > course.target_speed(phase) + 0.3:  # once it is that far ahead
             return f"until ahead_by(self, {course.actor.ref(t.of)}) > {scope.number(value or METRES)}"
-    if t.place == "crosswalk" and t.value is None and phase.action in ("brake", "stop"):  # it is that slow by then
+    if t.place == "crosswalk" and t.value is None and phase.action in SLOWS:  # it is that slow by then
         goal = 0.0 if phase.action == "stop" else course.wanted(phase, course.value / 2)
         metres = slows_before(course.value, goal, middle(phase.rate) if phase.rate else 3.0).value
         t = t.model_copy(update={"value": round(middle(metres or 0.0) + BEFORE_IT, 1)})
@@ -55,7 +55,7 @@ def stated(course: Course, phase: Phase) -> str:
 def _before_junction(course: Course, value: float, phase: Phase) -> str:
     if phase.trigger is not None and phase.trigger.place == "merge_end":
         there, metres = "place.acceleration_lane", scope.number(max(value, ahead.MERGES))
-        if phase.action in ("stop", "brake"):  # as far before it as that takes
+        if phase.action in SLOWS:  # as far before it as that takes
             rate = middle(phase.rate) if phase.rate else 3.5 if phase.action == "stop" else 3.0
             slow = course.wanted(phase, course.value / 2) if phase.action == "brake" else 0.0
             metres = f"{scope.number(max(value + TO_END - slow**2 / (2 * rate), 0))} + self.speed ** 2 / {2 * rate:g}"

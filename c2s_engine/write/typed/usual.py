@@ -29,6 +29,8 @@ what one slows down at most."""
 STEADY = ("keep_lane", "cross_road", "move_along", "follow", "go_straight", "run_red", "run_stop", "turn_left",
           "turn_right", "lane_change", "cut_in", "cut_out", "oncoming", "overtake")  # fmt: skip
 """What one does first at a speed that is then its own."""
+STOPS, STOPS_HARD = 3.5, 7.0
+"""m/s2 with which one comes to a stand where nothing says how hard, and where it is said to brake hard."""
 SLOWS_DOWN = 3.0
 """m/s2 at which one slows down for a turn."""
 ROOM_BEHIND = 4.0
@@ -54,6 +56,13 @@ def lets_ego_come(o: ObjectSpec) -> bool:
     stands = next((i for i, p in enumerate(o.phases) if p.action in ("stop", "wait", "stationary")), len(o.phases))
     then = [p.trigger for p in o.phases[stands + 1 :] if p.trigger]
     return any(t.kind in ("ttc", "distance") and t.of in (None, "ego") for t in then)
+
+
+def stopping(spec: EgoSpec | ObjectSpec, phase: Phase) -> float:
+    """The m/s2 with which one comes to a stand in a phase."""
+    if phase.rate is not None:
+        return middle(phase.rate)
+    return STOPS_HARD if getattr(spec, "hard", False) else STOPS
 
 
 def slows_before(speed: float, slower: float, rate: float = SLOWS_DOWN) -> Trigger:

@@ -205,7 +205,8 @@ def too_late(c: Course, p: Phase) -> str:
     """Until when one drives on that then brakes and hits somebody nevertheless; "": it brakes as soon as it can."""
     goal, hit = hits_at(c, p), hit_after(c, p)
     soon = c.actor.is_ego and not getattr(c.actor.spec, "hard", False)
-    if goal is None or hit is None or soon and not ways_cross(c, hit):
+    lies = hit is not None and (whom := c.other(hit.target)) is not None and is_static(whom)
+    if goal is None or hit is None or soon and not lies and not ways_cross(c, hit):
         return ""
     return f"until braking_to_hit(self, {c.actor.ref(hit.target)}, {scope.number(round(goal, 1))}) > {TOO_LATE}"
 

@@ -12,10 +12,10 @@ from c2s_engine.structure.quantity import high
 from c2s_engine.structure.shown import amount, value_in_words
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Placement, PlaceSpec, SettingsSpec, Spec
 from c2s_engine.structure.triggers import clause
+from c2s_engine.write.typed.answers import reacting_phases
 from c2s_engine.write.typed.contradictions import ResolveError
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.planning import make_plan
-from c2s_engine.write.typed.reactions import reacting_phases
 from c2s_engine.write.typed.spread import spread
 from c2s_engine.write.typed.tables import (
     BLUEPRINTS,

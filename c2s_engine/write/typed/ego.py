@@ -4,6 +4,7 @@ from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import middle
 from c2s_engine.structure.specs import EgoSpec
 from c2s_engine.write.typed import behaviour, lights, meetings, reactions, scope
+from c2s_engine.write.typed.answers import reacting_phases
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.lanes import pulls_out
 from c2s_engine.write.typed.plan import Plan
@@ -31,7 +32,7 @@ def write_ego(structure: Structure, plan: Plan) -> str:
     assert isinstance(said, EgoSpec) and isinstance(spec, EgoSpec)
     speed = speed_of(spec, plan.place)
     others = threatening(structure)
-    spec = spec.model_copy(update={"phases": reactions.reacting_phases(spec, others, structure, plan)})
+    spec = spec.model_copy(update={"phases": reacting_phases(spec, others, structure, plan)})
     actor = Actor(
         cid="E",
         spec=spec,

@@ -12,9 +12,10 @@ from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
 from c2s_engine.write.typed import behaviour, pockets, scope
 from c2s_engine.write.typed.alongside import offset
+from c2s_engine.write.typed.answers import reacting_phases
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.plan import Plan
-from c2s_engine.write.typed.reactions import late_rate, reacting_phases
+from c2s_engine.write.typed.reactions import late_rate
 from c2s_engine.write.typed.tables import BEARING, LENGTH, TURN, WIDTH, is_static
 from c2s_engine.write.typed.threats import hits_ego, is_hit, threatening
 from c2s_engine.write.typed.towards import stops_in_way

@@ -5,7 +5,7 @@ import re
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, middle
 from c2s_engine.structure.specs import ObjectSpec
-from c2s_engine.write.typed import behaviour, people, reactions, scope
+from c2s_engine.write.typed import behaviour, heeding, people, scope
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.placement import Spot, place_object
 from c2s_engine.write.typed.plan import Plan
@@ -156,4 +156,4 @@ def _driver(
         approach=spot.approach,
     )
     statements = behaviour.body(actor)
-    return reactions.heeding(actor, statements)
+    return heeding.heeding(actor, statements)

@@ -5,7 +5,7 @@ import re
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, middle
 from c2s_engine.structure.specs import ObjectSpec
-from c2s_engine.write.typed import behaviour, heeding, people, scope
+from c2s_engine.write.typed import behaviour, heeding, people, scope, walkers
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.placement import Spot, place_object
 from c2s_engine.write.typed.plan import Plan
@@ -50,7 +50,7 @@ def write_object(structure: Structure, cid: str, plan: Plan) -> str:
     behavior = ""
     if moving:
         statements = (
-            people.walker(structure, cid, plan)
+            walkers.walker(structure, cid, plan)
             if is_walker(spec)
             else _driver(structure, cid, spec, plan, spot, prefix, speed)
         )
@@ -142,7 +142,7 @@ def _driver(
 ) -> list[str]:
     """The behaviour of a vehicle."""
     if spot.off_road and crosses(spec):
-        return people.rider(structure, cid, plan)
+        return walkers.rider(structure, cid, plan)
     standing = high(speed) == 0
     actor = Actor(
         cid=cid,

@@ -10,6 +10,7 @@ from functools import partial
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
+from c2s_engine.structure.account import unread_words
 from c2s_engine.structure.components import ComponentId, Structure, Unmet
 from c2s_engine.structure.edits import Edit, EditError, SetDescription, apply
 from c2s_engine.structure.progress import Finished, Progress, StageStarted
@@ -128,12 +129,16 @@ class Turns(Part):
                 await asyncio.to_thread(session.keep_idle, text, found)
         except (ValueError, OSError):
             return  # what cannot be read is said by the turn
-        if found and turn == self.count and now == self.desk.structure:
+        if turn != self.count or now != self.desk.structure:
+            return
+        if found:
             if closing is not None:
                 self.desk = replace(self.desk, idle=found)
                 closing.say(summary(self.desk)[0])
                 self.bench.show()
             await self.chat.note(phrases_sentence(found, of=text), "note")
+        if upon is None and (words := unread_words(now.text[a:b] for a, b in now.unread)):
+            await self.chat.note(words, "note")
 
     async def _take(self, event: Progress) -> None:
         if isinstance(event, StageStarted):

@@ -6,6 +6,7 @@ import json
 import os
 import sys
 from collections.abc import Coroutine, Iterator
+from pathlib import Path
 from typing import Any, NoReturn
 
 import typer
@@ -36,6 +37,12 @@ err = _Unheard(stderr=True, highlight=False)
 
 class InputError(ValueError):
     """The input cannot be used; one sentence that says why and what to do."""
+
+
+def needs_folder(output: str | Path | None) -> None:
+    """Refuse, before anything is done, to save where no folder is; raises InputError."""
+    if output and not Path(output).parent.exists():
+        raise InputError(f"There is no folder {Path(output).parent}: make it, or save elsewhere.")
 
 
 def fail(message: str, code: int = BAD_INPUT, as_json: bool = False) -> NoReturn:

@@ -11,7 +11,19 @@ from rich.text import Text
 
 from c2s_engine import driving
 from c2s_engine.commands import show
-from c2s_engine.commands.console import BAD_INPUT, NO_SERVICE, OK, REFUSED, InputError, dump, err, out, sentences, work
+from c2s_engine.commands.console import (
+    BAD_INPUT,
+    NO_SERVICE,
+    OK,
+    REFUSED,
+    InputError,
+    dump,
+    err,
+    needs_folder,
+    out,
+    sentences,
+    work,
+)
 from c2s_engine.commands.reading import read_text
 from c2s_engine.structure.account import account
 from c2s_engine.structure.measures import collisions
@@ -62,8 +74,7 @@ def generate(
         for name, wanted in (("--widen", widen), ("--contradictions", contradictions)):
             if wanted and no_run:
                 raise InputError(f"{name} needs dry runs: remove --no-run.")
-        if output is not None and not output.parent.exists():
-            raise InputError(f"There is no folder {output.parent}: make it, or save elsewhere.")
+        needs_folder(output)
     options = {"method": method, "map": map_name, "seed": seed, "run": not no_run, "runs": runs, "improve": improve}
     options |= {"strict": strict, "widen": widen}
     done: Finished = work(_generate(description, options, model, as_json, contradictions), as_json)

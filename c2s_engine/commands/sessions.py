@@ -13,7 +13,7 @@ import typer
 from rich.text import Text
 
 from c2s_engine.commands import show
-from c2s_engine.commands.console import OK, InputError, dump, err, out, sentences
+from c2s_engine.commands.console import OK, InputError, dump, err, needs_folder, out, sentences
 from c2s_engine.commands.generate import exit_code, with_contradictions
 from c2s_engine.commands.reading import read_program
 from c2s_engine.commands.series import chosen_seeds, series
@@ -80,6 +80,7 @@ def edit(
         chosen = chosen_seeds(seeds, seed)
         if contradictions and no_run:
             raise InputError("--contradictions needs dry runs: remove --no-run.")
+        needs_folder(output)
         text = (program, read_program(program)) if program else None
         if not (new or program):
             known(name)

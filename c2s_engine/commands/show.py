@@ -12,7 +12,7 @@ from c2s_engine.commands.console import out
 from c2s_engine.session import no_effect
 from c2s_engine.session.seeds import verdict
 from c2s_engine.session.why import KEPT
-from c2s_engine.structure.account import count_lost_clauses, requirements_met
+from c2s_engine.structure.account import count_lost_clauses, requirements_met, unread_words
 from c2s_engine.structure.components import Structure, Unmet, given_up, unrecognised
 from c2s_engine.structure.diagnostics import Diagnostic, StageResult
 from c2s_engine.structure.event_words import ended, event_phrase
@@ -35,6 +35,8 @@ def structure(s: Structure, to: Console = out) -> None:
             table.add_row("", Text(f'not expressible: "{u.text}": {u.reason}', style="yellow"))
     for u in s.not_understood:
         table.add_row("", Text(f'not understood: "{u.text}": {u.reason}', style="yellow"))
+    if words := unread_words(s.text[a:b] for a, b in s.unread):
+        table.add_row("", Text(words, style="dim"))
     for u in s.background:
         table.add_row("", Text(f'background: "{u.text}": {u.reason}', style="dim"))
     to.print(table)

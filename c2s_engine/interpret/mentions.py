@@ -35,13 +35,22 @@ def _nouns() -> re.Pattern[str]:
     return re.compile(rf"(?<![\w-])(?P<noun>{language.alternatives(list(language.actor_nouns()))})(?![\w]|-\w)")
 
 
+@cache
+def _things() -> re.Pattern[str]:
+    words = [word for row in language.table("trade")["things"] for word in row["words"]]
+    return re.compile(rf"(?<![\w-])(?:{language.alternatives(words)})(?![\w-])")
+
+
 def mentions(text: str) -> list[Mention]:
     """The mentions of a text in their order."""
-    known = language.actor_nouns()
+    known, plain = language.actor_nouns(), normalised(text)
+    things = [match.span() for match in _things().finditer(plain)]
     found = []
-    for match in _nouns().finditer(normalised(text)):
+    for match in _nouns().finditer(plain):
         noun = re.sub(r"[\s-]+", " ", match["noun"])
         kind = known.get(noun) or known.get(match["noun"], "vehicle")
+        if kind == "vehicle" and any(start <= match.start() and match.end() < end for start, end in things):
+            continue  # the traffic of a traffic light
         found.append(Mention(match.start(), match.end(), kind))
     return found
 

@@ -12,15 +12,17 @@ from c2s_engine.interpret import language
 from c2s_engine.interpret.english import NOT_ENGLISH, is_english
 from c2s_engine.interpret.errors import faults
 from c2s_engine.interpret.learned import ReaderError, read_change
+from c2s_engine.interpret.learned.account import said_words
 from c2s_engine.interpret.learned.change import SURE
 from c2s_engine.interpret.learned.edits import after as after_edits
 from c2s_engine.interpret.learned.edits import differences
 from c2s_engine.interpret.mentions import mentions, names_ego
 from c2s_engine.interpret.parser import parser
 from c2s_engine.interpret.text import normalised, sentences
-from c2s_engine.structure.components import Structure
+from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, RemoveObject
 from c2s_engine.structure.specs import ObjectSpec
+from c2s_engine.structure.stems import stems
 
 TurnKind = Literal["question", "edit", "scenario", "undo", "redo"]
 
@@ -90,8 +92,12 @@ def _change(text: str, structure: Structure) -> Turn | None:
     if found is None or not found.edits:
         return None
     gone = [e.component for e in found.edits if isinstance(e, RemoveObject)]
-    if gone and found.likely < SURE and not all(_names(text, cid, structure) for cid in gone):
-        return Turn("edit", reply=_which(structure, gone))
+    sure = found.likely >= SURE or all(_names(text, cid, structure) for cid in gone)
+    plain = normalised(text)
+    if re.match(_table()["corrects"], plain):  # with nothing to correct: "no, the other one"
+        sure = bool(set(re.findall(r"[a-z]+", plain)) & set(language.table("trade")["removes"]))
+    if gone and not (sure and all(_speaks_of(text, structure[cid], structure) for cid in gone)):
+        return Turn("edit", reply=_which(text, structure, gone))
     return Turn("edit", list(found.edits), found.words, guessed=found.likely < SURE)
 
 
@@ -211,10 +217,29 @@ def _names(text: str, cid: str, structure: Structure) -> bool:
     return bool(re.search(rf"\b{cid}\b", text, re.IGNORECASE)) or any(alone)
 
 
-def _which(structure: Structure, meant: list[str]) -> str:
-    """The question which of the objects is to be removed, where the model is not sure which are meant."""
+def _speaks_of(text: str, component: Component, structure: Structure) -> bool:
+    """Whether a text may speak of an object: by its id, by a noun for it or another of its words, or by no noun at all
+    ("delete it")."""
+    spec = component.spec
+    assert isinstance(spec, ObjectSpec)
+    if re.search(rf"\b{component.id}\b", text, re.IGNORECASE):
+        return True
+    own = {*said_words(component, structure), *stems(spec.name.replace("_", " "))}
+    own |= {stem for link in component.links for stem in stems(link.label)}
+    called = any(m.fits(spec.type) or m.type == "vehicle" for m in mentions(text))
+    return called or bool(own & stems(text)) or not any(map(_is_noun, parser()(text)))
+
+
+def _is_noun(token: Any) -> bool:
+    return token.pos_ in ("NOUN", "PROPN") and token.lower_ not in ("one", "ones")
+
+
+def _which(text: str, structure: Structure, meant: list[str]) -> str:
+    """The question which of the objects is to be removed, where it is not plain which are meant."""
     there = "; ".join(f"{c.id}: {c.description.rstrip('.')}" for c in structure.objects)
-    return f"Which one is to be removed? Say for example “remove {' and '.join(meant)}”. There are: {there}."
+    example = f"“remove {' and '.join(meant)}”"
+    return (f"Which one is to be removed? “{text.strip()[:80]}” names none of them plainly: say for example {example}; "
+            f"of weather, lights and roads say what is to be there instead. There are: {there}.")
 
 
 def _not_understood(text: str) -> str:

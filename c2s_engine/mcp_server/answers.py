@@ -6,7 +6,6 @@ from typing import Any
 
 from c2s_engine.check.protocol import CheckReport
 from c2s_engine.commands import show
-from c2s_engine.commands.console import InputError
 from c2s_engine.structure.account import account
 from c2s_engine.structure.components import Structure, Unmet
 from c2s_engine.structure.diagnostics import Diagnostic
@@ -24,17 +23,12 @@ def structure(s: Structure, idle: Sequence[Unmet] = ()) -> dict[str, Any]:
         }
         for c in s.components
     ]  # fmt: skip
-    clauses = [{"text": c.text, "status": c.status, "components": c.components} for c in account(s, idle)]
+    clauses = [{"text": c.text, "status": c.status, "components": c.components, "unread": c.unread}
+               for c in account(s, idle)]  # fmt: skip
     lost = [f"{u.text}: {u.reason}" for u in s.not_understood]
     return {
         "structure": components, "not_understood": lost, "account": clauses, "without_effect": [u.text for u in idle],
     }  # fmt: skip
-
-
-def needs_folder(output: str | None) -> None:
-    """Refuse, before anything is done, to save where no folder is; raises InputError."""
-    if output and not Path(output).parent.exists():
-        raise InputError(f"There is no folder {Path(output).parent}: make it, or save elsewhere.")
 
 
 def scenario(done: Finished, output: str | None, idle: Sequence[Unmet] = ()) -> dict[str, Any]:

@@ -65,7 +65,8 @@ def _text(shown: dict[str, Any]) -> Iterator[str]:
 def _lost(clause: dict[str, Any]) -> str:
     whole = clause["text"]
     said = [u["reason"] if u["text"] == whole else f"“{u['text']}”: {u['reason']}" for u in clause["lost"]]
-    return "; ".join(dict.fromkeys(said)) or "-"
+    unread = [f"no field rests on {', '.join(f'“{word}”' for word in clause['unread'])}"] if clause["unread"] else []
+    return "; ".join(dict.fromkeys([*said, *unread])) or "-"
 
 
 def _structure(shown: dict[str, Any]) -> Iterator[str]:

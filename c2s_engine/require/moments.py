@@ -11,7 +11,7 @@ from c2s_engine.require.results import between, scored, span, unknown, words
 from c2s_engine.require.scene import TURNS, Scene, bounds
 from c2s_engine.structure.facts import EGO, component_of
 from c2s_engine.structure.objects import SLOWS
-from c2s_engine.structure.quantity import high, low
+from c2s_engine.structure.quantity import Quantity, ends, high, low
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import Phase
 from c2s_engine.structure.vocabulary import VEHICLES
@@ -20,6 +20,8 @@ OVER_LINE = ("cut_in", "cut_out", "lane_change")
 SETS_OUT = ("enter_road", "cross_road", "leave_road", "move_along", "reverse")
 """What begins as somebody who stood sets out, long before it is seen on the road."""
 SIDEWAYS = (*OVER_LINE, "swerve", "drift")
+HAS_MOMENT = (*SLOWS, *SETS_OUT, *SIDEWAYS, "accelerate", "start", "overtake", "lose_control", "u_turn")
+"""Actions whose beginning is seen."""
 LANE = 3.5
 """m, of most maps' lanes."""
 BEGUN = 0.3
@@ -64,18 +66,30 @@ def required(scene: Scene, actor: str, path: str, phase: Phase, of: str) -> Iter
 
 
 def delays(scene: Scene) -> Iterator[Requirement]:
-    """That phases begin so long after what they wait for as is said: after all that is seen."""
+    """That phases begin so long after the start, or after what they wait for, as is said: after all that is seen."""
     for actor, i, phase in scene.phases():
         trigger, path, cid = phase.trigger, f"phases.{i}", component_of(actor)
-        if trigger is None or trigger.delay is None or trigger.kind not in ("time", "action") \
-                or trigger.subject not in (None, actor) or not scene.stated(cid, f"{path}.trigger.delay"):  # fmt: skip
+        if trigger is None or trigger.kind not in ("time", "action") or trigger.subject not in (None, actor):
             continue
-        since = low(trigger.value) if trigger.kind == "time" and trigger.value is not None else 0.0
-        text = f"{scene.named(actor)}: {phase.action.replace('_', ' ')} {low(trigger.delay):g} s later."
-        yield scene.make("order", "delayed", actor, f"{path}.delay", text, of=f"{cid}.{path}.{phase.action}",
+        since = due(phase)
+        field = "delay" if trigger.delay is not None else "value"
+        if trigger.delay is None and since is None or not scene.stated(cid, f"{path}.trigger.{field}"):
+            continue
+        least, most = ends(trigger.delay if since is None else since) or (0.0, 0.0)
+        when = f"{least:g} s " + ("later" if since is None else "after the start")
+        yield scene.make("order", "delayed", actor, f"{path}.delay", f"{scene.named(actor)}: "
+                         f"{phase.action.replace('_', ' ')} {when}.", of=f"{cid}.{path}.{phase.action}",
                          action=phase.action, after=_awaited(scene, trigger.of, trigger.action), other=trigger.of,
-                         its=trigger.action or "", least=since + low(trigger.delay),
-                         most=since + high(trigger.delay))  # fmt: skip
+                         its=trigger.action or "", least=least, most=most)  # fmt: skip
+
+
+def due(phase: Phase) -> Quantity | None:
+    """How long after the start of the run (s) a phase begins that has a moment; None: no such time is said."""
+    t = phase.trigger
+    if t is None or t.kind != "time" or t.value is None or t.subject or phase.action not in HAS_MOMENT:
+        return None
+    delay = t.delay or 0.0
+    return low(t.value) + low(delay), high(t.value) + high(delay)
 
 
 def _awaited(scene: Scene, of: str | None, action: str | None) -> str:
@@ -260,7 +274,8 @@ def delayed(requirement: Requirement, evidence: Evidence) -> Result:
     if cause is not None and first is not None and v["its"] != "stop":  # else it counts from when that one stands
         since = onset(cause, str(v["its"]), first)
     seen = onset(motion, str(v["action"]), time) - since
-    room = bounds()["order"]["delay"]["value"] + 0.2 * span(requirement)[1]
+    limits = bounds()["order"]
+    room = min(limits["delay"]["value"] + 0.2 * span(requirement)[1], limits["delay_most"]["value"])
     return between(requirement, seen, room, said, f"{seen:.1f} s", time)
 
 

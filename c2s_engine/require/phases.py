@@ -49,6 +49,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if after and one:
             values["after"] = after
             values["again"] = (one.action, one.target) == (phase.action, phase.target)
+        if (since := moments.due(phase)) is not None and scene.stated(component_of(actor), f"{path}.trigger.value"):
+            values["due"] = low(since)
         if (change := _change(scene, actor, i)) is not None:
             values["change"] = change
         if phase.action == "stop" and _after_contact(scene, actor, i):
@@ -209,6 +211,9 @@ def _moment(requirement: Requirement, evidence: Evidence, motion: Motion, action
             passing = str(requirement.values["after"]).endswith(".overtake")  # coming back is part of that
             times = moments.kept_from(motion, earliest, *((moments.LONGEST,) if passing else ()))
     room = 0.0 if action == "start" else bounds()["order"]["room"]["value"]  # a stand ends after it has begun
+    since = float(requirement.values.get("due", 0.0)) - bounds()["order"]["delay_most"]["value"]  # type: ignore[arg-type]
+    if any(t >= since for t in times):  # what comes before is something else
+        earliest = max(earliest, since)
     if requirement.values.get("again"):
         times = [t for t in (moments.swerves(motion) if action == "swerve" else times) if t > earliest + room]
     later = [t for t in times if t >= earliest - room]

@@ -10,7 +10,7 @@ from c2s_engine.session.glossary import meaning
 from c2s_engine.session.question import Question, read
 from c2s_engine.session.why import explained
 from c2s_engine.session.yes_no import yes_or_no
-from c2s_engine.structure.account import STATUS_WORDS, Clause, account, requirements_met
+from c2s_engine.structure.account import STATUS_WORDS, Clause, account, requirements_met, unread_words
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.event_words import USUAL, ended, event_phrase
 from c2s_engine.structure.facts import EGO, EventFact, ObjectFacts, RunFacts
@@ -402,6 +402,7 @@ def _accounted(asked: _QuestionContext) -> str:
     whole = sum(1 for c in clauses if c.status == "understood")
     lines = [f"“{c.text}”: {STATUS_WORDS[c.status]}" + (f" ({_lost(c)})" if c.lost else "")
              for c in clauses if c.status != "understood"]  # fmt: skip
+    lines += filter(None, [unread_words(word for c in clauses for word in c.unread)])
     return "\n".join([f"{whole} of {len(clauses)} clauses of the text are in S as understood.", *lines])
 
 
@@ -413,6 +414,7 @@ def _unused(asked: _QuestionContext) -> str:
     lost = [u for c in account(asked.structure) for u in c.lost]
     lines = [no_effect.phrases_sentence(idle)] if idle else []
     lines += [f"“{u.text}”: {u.reason}." for u in dict.fromkeys(lost)]
+    lines += filter(None, [unread_words(word for c in account(asked.structure) for word in c.unread)])
     return "\n".join(lines) or "All words are used, as far as I can tell."
 
 

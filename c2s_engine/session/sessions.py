@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from c2s_engine.paths import data_folder
-from c2s_engine.session.errors import SessionError
+from c2s_engine.session.errors import NO_SESSION, SessionError
 from c2s_engine.session.facade import Turns
 from c2s_engine.session.files import write_whole
 from c2s_engine.session.session import ROOT, Session, Turn
@@ -50,7 +50,7 @@ class Sessions:
         row = self._store.row(name)
         if row is None:
             if not create:
-                raise SessionError(f"there is no session {name!r}")
+                raise SessionError(NO_SESSION.format(name))
             row = self._store.create(name)
         return Session(self._store, row, self._folder_of(row.thread), engine)
 
@@ -90,7 +90,7 @@ class Sessions:
     def _thread(self, name: str) -> str:
         row = self._store.row(name)
         if row is None:
-            raise SessionError(f"there is no session {name!r}")
+            raise SessionError(NO_SESSION.format(name))
         return row.thread
 
     def _folder_of(self, thread: str) -> Path:

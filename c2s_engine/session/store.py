@@ -14,7 +14,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from c2s_engine.session.errors import SessionError
+from c2s_engine.session.errors import NO_SESSION, SessionError
 
 KEPT_TURNS = 100  # that undo can go back
 
@@ -112,7 +112,7 @@ class Store:
         except sqlite3.IntegrityError:
             raise SessionError(f"there is already a session {new!r}: choose another name") from None
         if not changed:
-            raise SessionError(f"there is no session {name!r}")
+            raise SessionError(NO_SESSION.format(name))
 
     def delete(self, thread: str) -> None:
         with self.transaction() as db:

@@ -41,6 +41,8 @@ class Clause(Frozen):
     components: tuple[ComponentId, ...] = ()
     fields: tuple[str, ...] = ()
     lost: tuple[Unmet, ...] = ()
+    unread: tuple[str, ...] = ()
+    """Its words on which no field rests: lost, or said by others as well."""
 
     @property
     def reason(self) -> str:
@@ -59,6 +61,12 @@ def count_lost_clauses(structure: Structure, idle: Sequence[Unmet] = ()) -> int:
     same, those count that are clauses: what a single word says S may hold from elsewhere."""
     clauses = account(structure, idle_clauses(structure, idle))
     return sum(1 for c in clauses if c.status not in ("understood", "background"))
+
+
+def unread_words(words: Iterable[str]) -> str:
+    """In a sentence, the words of a text on which no field rests; "" for none."""
+    said = ", ".join(f"“{word}”" for word in dict.fromkeys(words))
+    return f"No field of S rests on {said}, unless other words say the same." if said else ""
 
 
 def idle_clauses(structure: Structure, idle: Sequence[Unmet]) -> list[Unmet]:
@@ -146,6 +154,7 @@ def _clause(structure: Structure, span: Span, idle: Sequence[Unmet]) -> Clause:
     return Clause(
         span=span, text=whole, status=status, components=tuple(components),
         fields=tuple(fields), lost=(*background, *missed, *unmet),
+        unread=tuple(structure.text[a:b] for a, b in structure.unread if meets((a, b), span)),
     )  # fmt: skip
 
 

@@ -142,6 +142,7 @@ class Structure(Frozen):
     read_by: str = Field("", description="the method that read the text; empty: not known, or nothing was read")
     background: tuple[Unmet, ...] = Field((), description="spans that are about something else than the scene")
     clauses: tuple[tuple[int, int], ...] = Field((), description="the text's clauses, where the method parted it")
+    unread: tuple[tuple[int, int], ...] = Field((), description="words of the text on which no field rests")
 
     @property
     def components(self) -> tuple[Component, ...]:

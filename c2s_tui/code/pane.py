@@ -259,7 +259,8 @@ class CodePane(Vertical):
         """Make the fix that the finding at the cursor offers, and apply it, unless more was typed."""
         found = self.finding
         if found is None or found.edit is None:
-            self.app.bell()
+            why = "This finding has no fix that can be made for you: mend the line by hand."
+            self.app.notify(why if found else "There is no finding at the cursor: F8 goes to the next.", markup=False)
             return
         edit, before = found.edit, self.edited
         last = self.area.document.get_line(edit.last - 1)

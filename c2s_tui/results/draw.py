@@ -50,7 +50,9 @@ def outcome(desk: Desk) -> Content:
         return Content.styled("There is no run yet: describe a scenario, or press F5 to run the program.", "$muted")
     facts = desk.facts[0]
     parts: list = [heading("Outcome")]
-    parts += [(f"{mark('error')} {c}\n", "$text-success" if c.said else "bold $text-error") for c in desk.collisions]
+    for hit in desk.collisions:
+        sign, style = ("ok", "$text-success") if hit.said else ("error", "bold $text-error")
+        parts.append((f"{mark(sign)} {hit}\n", style))
     if not desk.collisions:
         parts.append((f"{mark('clean')} no collision\n", "$text-success"))
     parts.append(f"The run ended after {facts.duration:.1f} s ({ended(facts)}); seed {facts.seed}.\n")

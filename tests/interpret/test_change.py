@@ -184,3 +184,19 @@ def test_a_phase_keeps_what_a_change_of_it_does_not_name(before, line, kept):
     said = "R: road\nE: car\nO1: van at=ahead ; {}"
     one, other = (structure_of(parse(said.format(phases)), TEXT) for phases in (before, kept))
     assert changed_structure(one, [f"O1: ; {line}"])["O1"].spec == other["O1"].spec
+
+
+@pytest.mark.parametrize(("text", "whom"), [
+    ("it turns left instead", ("O1", "ego")), ("once ego has passed the van", ("ego", "O1")),
+])  # fmt: skip
+def test_what_a_phase_waits_for_is_about_the_same_ones_unless_the_change_names_somebody(scene, text, whom, monkeypatch):
+    before = changed_structure(scene, ["E: ; stop ; turn_right @passed subject=O1 of=ego"])
+    line = "E: ; stop ; turn_left @passed subject=ego of=O1"
+
+    class Says:
+        def answer(self, asked):
+            return Answer(line, 1, 1, ((line, -0.1),))
+
+    monkeypatch.setattr("c2s_engine.interpret.learned.change.loaded", Says)
+    trigger = after(before, read_change(text, before).edits).ego.spec.phases[1].trigger
+    assert (trigger.subject, trigger.of) == whom

@@ -292,3 +292,21 @@ def test_without_its_packages_it_says_what_to_do(monkeypatch):
     assert not installed()
     with pytest.raises(ReaderError, match="make run"):
         base()
+
+
+@pytest.mark.parametrize(("text", "answer", "rate", "limits"), [
+    ("Ego brakes with at least 6 m/s2.", "E: car ; brake\nT: limit deceleration maximum=6m/s2", 6.0, 0),
+    ("Ego, reacting, brakes with at least 6 m/s2.", "E: car reaction=brake\nT: limit deceleration maximum=6m/s2", 6.0, 0),
+    ("Ego brakes with at most 4 m/s2.", "E: car ; brake\nT: limit deceleration maximum=4m/s2", None, 1),
+    ("Ego brakes with no more than 4 m/s2.", "E: car ; brake\nT: limit deceleration minimum=4m/s2", None, 1),
+])  # fmt: skip
+def test_at_least_is_no_maximum(text, answer, rate, limits):
+    found = reading(answer, text)
+    braking = [p for p in found.ego.spec.phases if p.action == "brake"]
+    assert [p.rate for p in braking] == ([rate] if braking else [])
+    assert [li.minimum for li in found.restrictions.spec.limits] == [None] * limits
+
+
+def test_words_on_which_no_field_rests_are_named_clause_by_clause():
+    found = reading("E: car\nO1: van at=ahead ; cut_in", "A spotless van indicates and cuts in. Ego follows.")
+    assert [c.unread for c in account(found)] == [("spotless", "indicates"), ("follows",)]

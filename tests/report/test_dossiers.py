@@ -101,7 +101,7 @@ async def test_text_that_tells_no_scene(engine: Engine, tmp_path: Path) -> None:
 
 
 async def test_session_that_is_not_there(engine: Engine) -> None:
-    with pytest.raises(SessionError, match="there is no session 'nobody'"):
+    with pytest.raises(SessionError, match="There is no session 'nobody'"):
         await of_session(engine, "nobody")
 
 

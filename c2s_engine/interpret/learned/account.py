@@ -81,7 +81,8 @@ def accounted(structure: Structure, settings: Settings, left_out: Sequence[str] 
         own_links = sorted(dict.fromkeys(links[component.id]), key=lambda li: li.span or (0, 0))
         structure = structure.with_component(component.model_copy(update={"links": (*component.links, *own_links)}))
     update = {"background": tuple(background), "not_understood": (*structure.not_understood, *missed)}
-    return structure.model_copy(update=update)
+    structure = structure.model_copy(update=update)
+    return structure.model_copy(update={"unread": tuple(_unread(structure, plain, terms, nouns))})
 
 
 def _of_clause(
@@ -113,6 +114,23 @@ def _of_clause(
     about = max(weight, key=lambda c: (weight[c], -order.index(c)))
     own = sorted((cid, whose[cid], span) for span, cid, whose in best if whose[cid] or cid == about)
     return own, about
+
+
+def _unread(
+    structure: Structure, plain: str, terms: Mapping[str, Mapping[str, str]], nouns: Sequence[Mention]
+) -> Iterator[Span]:
+    """The nouns, verbs and words that describe on which no field rests and which no component says."""
+    lost = (u.span for u in (*structure.not_understood, *structure.background) if u.span)
+    rests = (li.span for c in structure.components for li in c.links if li.span and li.field)
+    taken = [*lost, *rests, *((n.start, n.end) for n in nouns)]
+    trade = language.table("trade")
+    said = {word for own in terms.values() for word in own} | words_of_fields(structure)
+    said |= set(map(stem, (*trade["again"], *trade["ego"])))
+    for token in parser()(plain):
+        span = token.idx, token.idx + len(token)
+        tells = token.pos_ in ("NOUN", "VERB", "ADJ", "ADV") and token.is_alpha and token.lower_ not in _small()
+        if tells and stem(token.lower_) not in said and not meets(span, *taken):
+            yield span
 
 
 def said_words(component: Component, structure: Structure) -> dict[str, str]:
@@ -177,9 +195,16 @@ def _values(structure: Structure, numbers: Sequence[Number]) -> Iterator[Unmet]:
 
 
 def _absent(structure: Structure, nouns: Sequence[Mention]) -> Iterator[Unmet]:
-    """The vehicles and animals that the text names and that nobody of S can be."""
-    for span in absent(nouns, types(structure)):
+    """The vehicles and animals that the text names and that nobody of S can be; ego is never several."""
+    several = [n for n in nouns if _plural(structure.text[n.start : n.end].lower())]
+    others = {c.spec.type for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+    one = absent([n for n in nouns if n not in several], types(structure))
+    for span in sorted((*one, *absent(several, others))):
         yield Unmet(text=structure.text[slice(*span)], reason=NO_OBJECT, span=span)
+
+
+def _plural(noun: str) -> bool:
+    return noun.endswith("s") and noun[:-1] in language.actor_nouns()
 
 
 def absent(nouns: Sequence[Mention], there: Collection[str]) -> Iterator[Span]:

@@ -77,7 +77,7 @@ def read_change(text: str, structure: Structure) -> Change | None:
     if lines == [NONE]:
         return Change((), "", likely)
     try:
-        after = counted(text, structure, changed_structure(structure, lines))
+        after = counted(text, structure, changed_structure(structure, lines, bool(mentions(text))))
     except ReaderError:
         raise
     except ValueError:
@@ -117,11 +117,14 @@ _SUBJECT = re.compile(
 )
 
 
-def changed_structure(structure: Structure, lines: Sequence[str]) -> Structure:
-    """S with the lines of a change; raises ValueError where a line cannot be read, or what it says does not fit."""
+def changed_structure(structure: Structure, lines: Sequence[str], named: bool = True) -> Structure:
+    """S with the lines of a change; raises ValueError where a line cannot be read, or what it says does not fit.
+    `named`: whether the change names somebody, on whom what a phase waits for may depend then."""
     data = {c.id: _plain(c) for c in structure.components}
     gone = [line[1:] for line in lines if re.fullmatch(r"-O\d+", line)]
     after = changed(data, [line for line in lines if line[1:] not in gone])
+    if not named:
+        _watching_the_same(data, after)
     speeds = {"ego" if cid == "E" else cid: si(d["speed"]) for cid, d in after.items() if "speed" in d}
     ids = {"ego", *(cid for cid in after if cid[0] == "O")}
     found = structure
@@ -185,7 +188,7 @@ def _no_longer(before: Structure, after: Structure, cid: str) -> str:
     was, now = (getattr(s[cid].spec, "phases", ()) for s in (before, after))
     left = [p.action for p in now]
     gone = [p for p in was if p.action not in left and p.action not in ("keep_lane", "follow", "move_along")]
-    done = " and ".join(action_of(p, before) for p in gone) if now else ""
+    done = " and ".join(dict.fromkeys(action_of(p, before) for p in gone)) if now else ""
     return f"{'ego' if cid == 'E' else cid} no longer {done}" if done else ""
 
 
@@ -256,6 +259,18 @@ def _kept(phase: dict[str, Any], phases: Sequence[Any], before: Sequence[Any]) -
     if "pace" in phase or "speed" in phase:
         old = {name: value for name, value in old.items() if name not in ("pace", "speed")}
     return phase | old
+
+
+def _watching_the_same(before: Components, after: Components) -> None:
+    """Let phases that still wait for something of the same kind wait for the same ones as before."""
+    for cid in before.keys() & after.keys():
+        was, now = before[cid].get("phases", ()), after[cid].get("phases", ())
+        for old, new in zip(was, now, strict=False) if len(was) == len(now) else ():
+            for name in ("trigger", "until"):
+                one, other = old.get(name) or {}, new.get(name) or {}
+                if one.get("kind") == other.get("kind") is not None:
+                    whom = {key: one[key] for key in ("subject", "of") if key in one}
+                    new[name] = {k: v for k, v in other.items() if k not in ("subject", "of")} | whom
 
 
 def _read(text: str, line: str) -> Components:

@@ -15,6 +15,7 @@ from c2s_engine.interpret import language, typologies
 from c2s_engine.interpret.english import NOT_ENGLISH, is_english
 from c2s_engine.interpret.errors import InterpretError, faults
 from c2s_engine.interpret.learned.account import accounted
+from c2s_engine.interpret.learned.bounds import with_bounds
 from c2s_engine.interpret.learned.certainty import CERTAIN, certainties
 from c2s_engine.interpret.learned.decoder import Answer, ReaderError, loaded
 from c2s_engine.interpret.learned.notation import Components, left_out, parse
@@ -139,7 +140,7 @@ def reading(answer: str, text: str, named: tuple[int, int] | None = None) -> Str
     if not components.keys() & {"E", "R"}:
         return None
     settings = detect(text)
-    structure = described(_with_settings(structure_of(components, text), settings))
+    structure = described(with_bounds(_with_settings(structure_of(components, text), settings)))
     if named is None:
         return described(with_rates(accounted(structure, settings, left_out(answer))))
     link = Link(kind="text", label=text[slice(*named)], span=named)

@@ -70,9 +70,9 @@ def _written(text: str) -> Iterator[tuple[tuple[int, int], str, str]]:
 @cache
 def _bare_speed() -> re.Pattern[str]:
     """A number after a word for a speed, with nothing behind it that says what it counts."""
-    words, about = language.alternatives(language.table("trade")["speeds"]), "(?:about |around |roughly )?"
+    words, about = language.alternatives(language.table("trade")["speeds"]), "(?:(?:about|around|roughly|like|some) )"
     ends = r"(?=\s*(?:[,.;!?)]\s|[,.;!?)]?$|and\b|but\b))"
-    return re.compile(rf"\b(?:{words}) {about}(\d+(?:\.\d+)?){ends}", re.IGNORECASE)
+    return re.compile(rf"\b(?:(?:{words}) {about}?|at {about})(\d+(?:\.\d+)?){ends}", re.IGNORECASE)
 
 
 def _number(spelt: str) -> int:

@@ -51,7 +51,7 @@ def outcome(desk: Desk) -> Content:
     facts = desk.facts[0]
     parts: list = [heading("Outcome")]
     for hit in desk.collisions:
-        sign, style = ("ok", "$text-success") if hit.said else ("error", "bold $text-error")
+        sign, style = ("clean", "$text-success") if hit.said else ("error", "bold $text-error")
         parts.append((f"{mark(sign)} {hit}\n", style))
     if not desk.collisions:
         parts.append((f"{mark('clean')} no collision\n", "$text-success"))

@@ -243,11 +243,13 @@ def outcome(finished: Finished, before: Structure) -> str:
     rewritten = finished.details.get("rewritten", [])
     written = [c for c in rewritten if c in finished.structure and c not in followed]
     stayed = [c for c in finished.structure.ids if c not in (*written, *followed)]
-    changed = f"Changed in its code: {', '.join(followed)}" if followed else ""
-    if not written:
-        return f"{changed or 'Nothing had to be rewritten'}."
-    kept = f"; {', '.join(stayed)} stayed as {'they were' if len(stayed) > 1 else 'it was'}" if stayed else ""
-    return f"{f'{changed}. ' if changed else ''}Rewritten: {', '.join(written)}{kept}."
+    gone = [c.id for c in before.components if c.id not in finished.structure and c.origin in OWN]
+    said = [f"Your own code of {' and '.join(gone)} is gone with it: undo brings it back."] if gone else []
+    said += [f"Changed in its code: {', '.join(followed)}."] if followed else []
+    if written:
+        kept = f"; {', '.join(stayed)} stayed as {'they were' if len(stayed) > 1 else 'it was'}" if stayed else ""
+        said.append(f"Rewritten: {', '.join(written)}{kept}.")
+    return " ".join(said) or "Nothing had to be rewritten."
 
 
 async def answer(

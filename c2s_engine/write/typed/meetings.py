@@ -10,9 +10,10 @@ from itertools import takewhile
 from c2s_engine.structure.components import Structure
 from c2s_engine.structure.quantity import high, low, middle
 from c2s_engine.structure.specs import EgoSpec, ObjectSpec, Phase, Trigger
-from c2s_engine.write.typed import behaviour, pockets, scope
+from c2s_engine.write.typed import pockets, scope
 from c2s_engine.write.typed.alongside import offset
 from c2s_engine.write.typed.answers import reacting_phases
+from c2s_engine.write.typed.at_junction import phases_of
 from c2s_engine.write.typed.course import Actor
 from c2s_engine.write.typed.plan import Plan
 from c2s_engine.write.typed.reactions import late_rate
@@ -128,7 +129,7 @@ def start(structure: Structure, cid: str, plan: Plan, lane: str, line: str, at: 
         how = f"clear={name}"
     solved = f"{at} = place.length - start_to_meet(" if at else f"{prefix}_TO_JUNCTION = start_to_meet("
     driver = Actor(cid, spec, structure, plan, "", None, "", middle(speed_of(spec, plan.place)), None if at else lane)  # type: ignore[arg-type]
-    own = _slower(behaviour.phases_of(driver), lane)
+    own = _slower(phases_of(driver), lane)
     slows = f",\n    slows={own}" if own else ""
     last = f"    {egos[0]}, {how}{egos[1]}{slows}{_moved(structure, cid, plan)})  # m"
     return [first, solved, f"    {lane}, {line}, {prefix}_SPEED,", last]
@@ -180,7 +181,7 @@ def _egos_way(structure: Structure, cid: str, plan: Plan) -> tuple[str, str] | N
     ego = structure.ego.spec
     assert isinstance(ego, EgoSpec)
     own = ego.model_copy(update={"phases": reacting_phases(ego, threatening(structure), structure, plan)})
-    phases = behaviour.phases_of(Actor("E", own, structure, plan, "", 0, "EGO_SPEED", plan.ego_speed))
+    phases = phases_of(Actor("E", own, structure, plan, "", 0, "EGO_SPEED", plan.ego_speed))
     speed, more = "EGO_SPEED", ""
     before = list(takewhile(lambda p: _up_to_it(p) and not _for_it(p, ego, cid), phases))  # what it does on its way
     standing = next((i for i, p in enumerate(before) if p.action in STANDS_FOR), len(phases))

@@ -10,7 +10,7 @@ from c2s_engine.require.scene import Scene, bounds
 from c2s_engine.structure.facts import EGO
 from c2s_engine.structure.quantity import high, low
 from c2s_engine.structure.requirements import Requirement, Result
-from c2s_engine.structure.specs import ObjectSpec, Placement
+from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.structure.vocabulary import FOUR_WHEELED, SIDED
 
 LANES = {
@@ -38,67 +38,109 @@ ACROSS = 0.7
 def required(scene: Scene) -> Iterator[Requirement]:
     for actor, spec in scene.objects.items():
         if scene.says(actor, "placement"):
-            yield from _placed(scene, actor, spec, spec.placement)
+            for rule in _RULES:
+                yield from rule(scene, actor, spec)
 
 
-def _placed(scene: Scene, actor: str, spec: ObjectSpec, place: Placement) -> Iterator[Requirement]:
-    name, of, where = scene.named(actor), scene.named(place.of), place.position.replace("_", " ")
-    lanes = None if _at_door(scene, spec) else LANES.get(place.position)
-    if place.position == "beside" and not _at_door(scene, spec):
-        lanes = (place.side,) if place.side else ("adjacent",)
-        lanes = (*lanes, "same", "roadside", "sidewalk") if spec.type in RIDERS else lanes
-    if scene.place.kind == "roundabout" and "crossing" in (lanes or ()):  # arms meet at any angle
-        lanes = ("crossing", "oncoming")
-    beyond = place.lateral is not None and low(place.lateral) > LANE or place.lanes_over > 1  # not the next lane
+def _over_lanes(scene: Scene, actor: str, spec: ObjectSpec) -> Iterator[Requirement]:
+    place = spec.placement
     if place.lanes_over > 1 and place.position in SIDEWAYS:
         sign = 1 if place.position == "left_lane" else -1
-        text = f"{name} starts {place.lanes_over} lanes to the {SIDEWAYS[place.position]} of {of}."
+        text = f"{scene.named(actor)} starts {place.lanes_over} lanes to the {SIDEWAYS[place.position]} of " \
+            f"{scene.named(place.of)}."  # fmt: skip
         yield scene.make("start", "lanes_over", actor, "placement.lanes_over", text, other=place.of,
                          over=sign * place.lanes_over)  # fmt: skip
-    beside = place.position in ("beside", "left_lane", "right_lane") and place.of == EGO
+
+
+def _in_lane(scene: Scene, actor: str, spec: ObjectSpec) -> Iterator[Requirement]:
+    place, lanes = spec.placement, _lanes(scene, spec)
+    beyond = place.lateral is not None and low(place.lateral) > LANE or place.lanes_over > 1  # not the next lane
+    beside = place.position in ("beside", *NEXT_LANES) and place.of == EGO
     if lanes and not beyond and not (beside and scene.place.kind == "on_ramp"):  # by the ramp, not yet next to it
-        text = f"{name} starts, relative to {of}: {where}."
-        yield scene.make("start", "start_lane", actor, "placement.position", text,
-                         other=place.of, lanes=tuple(str(lane) for lane in lanes), where=where)  # fmt: skip
-    along = {"abreast": "abreast"}.get(str(place.along)) or place.along or LENGTHWISE.get(place.position)
-    along = "abreast" if place.position == "beside" and place.along is None else along
-    along = None if place.along is None and place.hidden_by is not None else along  # where it is not seen
+        where = place.position.replace("_", " ")
+        text = f"{scene.named(actor)} starts, relative to {scene.named(place.of)}: {where}."
+        yield scene.make("start", "start_lane", actor, "placement.position", text, other=place.of, lanes=lanes,
+                         where=where)  # fmt: skip
+
+
+def _lanes(scene: Scene, spec: ObjectSpec) -> tuple[str, ...]:
+    """The lane relations that show where somebody is; none: it is judged by where it lies."""
+    place = spec.placement
+    if _at_door(scene, spec):
+        return ()
+    if place.position == "beside":
+        next_to = (place.side,) if place.side else ("adjacent",)
+        return (*next_to, "same", "roadside", "sidewalk") if spec.type in RIDERS else next_to
+    lanes = LANES.get(place.position, ())
+    at_ring = scene.place.kind == "roundabout" and "crossing" in lanes
+    return ("crossing", "oncoming") if at_ring else lanes  # arms meet at any angle
+
+
+def _lengthwise(scene: Scene, actor: str, spec: ObjectSpec) -> Iterator[Requirement]:
+    place = spec.placement
+    along: str | None = place.along
+    if along is None and place.hidden_by is None:  # else where it is not seen
+        along = "abreast" if place.position == "beside" else LENGTHWISE.get(place.position)
     if along and not (along == "ahead" and place.gap is not None and low(place.gap) <= 0):
-        yield scene.make("start", "start_along", actor, "placement.along", f"{name} starts, relative to {of}: {along}.",
-                         other=place.of, along=str(along))  # fmt: skip
+        text = f"{scene.named(actor)} starts, relative to {scene.named(place.of)}: {along}."
+        yield scene.make("start", "start_along", actor, "placement.along", text, other=place.of, along=str(along))
+
+
+def _to_side(scene: Scene, actor: str, spec: ObjectSpec) -> Iterator[Requirement]:
+    place = spec.placement
     side = SIDEWAYS.get(place.position) or (place.side if place.position in SIDED else None)
     if side and (place.position != "beside" or spec.type in RIDERS):
         seen_from = EGO if place.position in OFF_LANES else place.of  # the side of the road, whoever stands there
-        yield scene.make("start", "start_side", actor, "placement.side", f"{name} starts to the {side} of "
-                         f"{scene.named(seen_from)}.", other=seen_from, side=str(side))  # fmt: skip
+        yield scene.make("start", "start_side", actor, "placement.side", f"{scene.named(actor)} starts to the {side} "
+                         f"of {scene.named(seen_from)}.", other=seen_from, side=str(side))  # fmt: skip
+
+
+def _beside_or_partly(scene: Scene, actor: str, spec: ObjectSpec) -> Iterator[Requirement]:
+    place, name = spec.placement, scene.named(actor)
     if place.position in OFF_LANES and not _at_door(scene, spec):
         yield scene.make("start", "off_lanes", actor, "placement.off_lanes", f"{name} starts off the driving lanes.",
                          other=place.of)  # fmt: skip
     if place.position == "partly_in_lane":
-        yield scene.make("start", "partly_in", actor, "placement.partly", f"{name} stands partly in the lane of {of}.",
-                         other=place.of)  # fmt: skip
+        text = f"{name} stands partly in the lane of {scene.named(place.of)}."
+        yield scene.make("start", "partly_in", actor, "placement.partly", text, other=place.of)
+
+
+def _apart(scene: Scene, actor: str, spec: ObjectSpec) -> Iterator[Requirement]:
+    place, name, of = spec.placement, scene.named(actor), scene.named(spec.placement.of)
     if place.gap is not None and scene.stated(actor, "placement.gap") and place.position not in SIDEWAYS:
         least, most = low(place.gap), high(place.gap)
-        text = f"{name} starts {least:g} m from {of}." if least == most else \
-            f"{name} starts {least:g} to {most:g} m from {of}."  # fmt: skip
-        yield scene.make("start", "start_gap", actor, "placement.gap", text, other=place.of, least=least, most=most)
+        far = f"{least:g} m" if least == most else f"{least:g} to {most:g} m"
+        yield scene.make("start", "start_gap", actor, "placement.gap", f"{name} starts {far} from {of}.",
+                         other=place.of, least=least, most=most)  # fmt: skip
     if place.lateral is not None and scene.stated(actor, "placement.lateral"):
         least, most = low(place.lateral), high(place.lateral)
         text = f"{name} starts with {least:g} m between it and {of} across the road."
         yield scene.make("start", "lateral", actor, "placement.lateral", text, other=place.of, least=least, most=most)
-    if place.hidden_by is not None:
-        hider = scene.objects.get(place.hidden_by)
-        by_road = place.position in APPROACHES
-        passes = place.position in OFF_LANES and hider is not None and hider.placement.position in NEXT_LANES
-        comes = by_road or passes
-        text = f"{name} is hidden from ego by {scene.named(place.hidden_by)} " \
-            f"{'as it comes' if comes else 'at first'}."  # fmt: skip
-        kind, check = ("place", "comes_hidden") if comes else ("start", "hidden")
-        yield scene.make(kind, check, actor, "placement.hidden_by", text, other=place.hidden_by,  # type: ignore[arg-type]
-                         at_first=by_road)  # fmt: skip
-    if place.facing in ("along", "against") and spec.type not in ("pedestrian", "child", "animal"):
-        yield scene.make("start", "facing", actor, "placement.facing", f"{name} faces {place.facing} the road.",
-                         against=place.facing == "against")  # fmt: skip
+
+
+def _out_of_sight(scene: Scene, actor: str, spec: ObjectSpec) -> Iterator[Requirement]:
+    place = spec.placement
+    if place.hidden_by is None:
+        return
+    hider, by_road = scene.objects.get(place.hidden_by), place.position in APPROACHES
+    passes = place.position in OFF_LANES and hider is not None and hider.placement.position in NEXT_LANES
+    comes = by_road or passes
+    text = f"{scene.named(actor)} is hidden from ego by {scene.named(place.hidden_by)} " \
+        f"{'as it comes' if comes else 'at first'}."  # fmt: skip
+    kind, check = ("place", "comes_hidden") if comes else ("start", "hidden")
+    yield scene.make(kind, check, actor, "placement.hidden_by", text, other=place.hidden_by,  # type: ignore[arg-type]
+                     at_first=by_road)  # fmt: skip
+
+
+def _facing(scene: Scene, actor: str, spec: ObjectSpec) -> Iterator[Requirement]:
+    way = spec.placement.facing
+    if way in ("along", "against") and spec.type not in ("pedestrian", "child", "animal"):
+        yield scene.make("start", "facing", actor, "placement.facing", f"{scene.named(actor)} faces {way} the road.",
+                         against=way == "against")  # fmt: skip
+
+
+_RULES = (_over_lanes, _in_lane, _lengthwise, _to_side, _beside_or_partly, _apart, _out_of_sight, _facing)
+"""What of a placement is required, each where S says it."""
 
 
 def _at_door(scene: Scene, spec: ObjectSpec) -> bool:

@@ -9,7 +9,7 @@ import builtins
 import functools
 import importlib
 import types
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from importlib.resources import files
 from typing import Any
 
@@ -34,77 +34,92 @@ def rules() -> dict[str, Any]:
 
 def examine(tree: Any) -> list[Diagnostic]:
     """What a statement's Scenic tree names beyond the allow-list."""
+    plain = {id(base) for node in ast.walk(tree) if isinstance(node, ast.ClassDef) for base in node.bases}
+    found = []
+    for node in ast.walk(tree):
+        if id(node) in plain and getattr(node, "id", "") == "object":
+            continue  # `class Name(object)`: a class of Python's, where Scenic would make one of objects
+        rule = next((rule for kinds, rule in _rules() if isinstance(node, kinds)), None)
+        found += [_refused(node, what, code) for what, code in rule(node) if what] if rule else []
+    return found
+
+
+def _refused(node: ast.AST, what: str, code: str) -> Diagnostic:
+    line, column = getattr(node, "lineno", None), getattr(node, "col_offset", None)
+    return Diagnostic(
+        stage="safety", code=code, message=f"not allowed in a scenario: {what}", fix=FIX, line=line,
+        column=None if column is None else column + 1,
+    )  # fmt: skip
+
+
+Refusals = Iterator[tuple[str, str]]
+"""What is not allowed (empty: nothing), and its code."""
+
+
+@functools.cache
+def _rules() -> tuple[tuple[tuple[type, ...], Callable[[Any], Refusals]], ...]:
+    """What each kind of node is examined for."""
     from scenic.syntax import ast as s
 
-    found: list[Diagnostic] = []
-    modules: set[str] = set()
+    return (
+        ((ast.Name,), lambda node: _unsafe(bad_name(node.id))),
+        ((ast.Attribute,), _attribute),
+        ((ast.Import,), _import),
+        ((ast.ImportFrom,), _import_from),
+        ((s.Model,), _model),
+        ((s.Simulator,), lambda node: _unsafe("a simulator of its own")),
+        ((s.New,), lambda node: _unsafe(bad_name(node.className))),
+        ((s.WithSpecifier,), lambda node: _unsafe(bad_attribute(node.prop))),
+        ((s.PropertyDef,), lambda node: _unsafe(bad_attribute(node.property))),
+        ((ast.FunctionDef, ast.ClassDef, s.BehaviorDef, s.MonitorDef, s.ScenarioDef), _definition),
+        ((ast.arg,), lambda node: _unsafe(f"the name {node.arg}" if node.arg.startswith("__") else "")),
+        ((ast.MatchClass,), lambda node: _unsafe(*map(bad_attribute, node.kwd_attrs))),
+        ((ast.Constant,), _constant),
+        ((ast.AsyncFunctionDef, ast.Await, ast.AsyncFor, ast.AsyncWith), lambda node: _unsafe("async code")),
+    )
 
-    def refuse(node: ast.AST, what: str, code: str = "unsafe") -> None:
-        line, column = getattr(node, "lineno", None), getattr(node, "col_offset", None)
-        found.append(
-            Diagnostic(
-                stage="safety", code=code, message=f"not allowed in a scenario: {what}", fix=FIX, line=line,
-                column=None if column is None else column + 1,
-            )
-        )  # fmt: skip
 
-    plain = {id(base) for node in ast.walk(tree) if isinstance(node, ast.ClassDef) for base in node.bases}
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Name):
-            if id(node) in plain and node.id == "object":
-                continue  # `class Name(object)`: a class of Python's, where Scenic would make one of objects
-            if reason := bad_name(node.id):
-                refuse(node, reason)
-        elif isinstance(node, ast.Attribute):
-            inherited = node.attr == "__init__" and isinstance(node.value, ast.Call) and not node.value.args
-            if (reason := bad_attribute(node.attr)) and not inherited:
-                refuse(node, reason)
-            elif node.attr in leaks() or node.attr in rules()["machinery"]:
-                refuse(node, f"{node.attr} of a module beside the program", "passed on")
-        elif isinstance(node, ast.Import):
-            for alias in node.names:
-                if alias.name in rules()["import_whole"]:
-                    modules.add(alias.asname or alias.name)
-                else:
-                    refuse(node, f"import {alias.name}", f"import {alias.name} *")
-        elif isinstance(node, ast.ImportFrom):
-            for alias in node.names:
-                if node.level or not importable(node.module or "", alias.name):
-                    refuse(node, f"from {node.module} import {alias.name}", f"import {node.module} {alias.name}")
-        elif isinstance(node, s.Model):
-            if node.name not in rules()["import_models"]:
-                refuse(node, f"the world model {node.name}", f"model {node.name} *")
-        elif isinstance(node, s.Simulator):
-            refuse(node, "a simulator of its own")
-        elif isinstance(node, s.New):
-            if reason := bad_name(node.className):
-                refuse(node, reason)
-        elif isinstance(node, s.WithSpecifier):
-            if reason := bad_attribute(node.prop):
-                refuse(node, reason)
-        elif isinstance(node, s.PropertyDef):
-            if reason := bad_attribute(node.property):
-                refuse(node, reason)
-        elif isinstance(node, ast.FunctionDef | ast.ClassDef | s.BehaviorDef | s.MonitorDef | s.ScenarioDef):
-            if node.name.startswith("__") and node.name not in rules()["methods"]:
-                refuse(node, f"to define {node.name}")
-            if isinstance(node, ast.ClassDef) and any(k.arg == "metaclass" for k in node.keywords):
-                refuse(node, "a metaclass")
-        elif isinstance(node, ast.arg):
-            if node.arg.startswith("__"):
-                refuse(node, f"the name {node.arg}")
-        elif isinstance(node, ast.MatchClass):
-            for attribute in node.kwd_attrs:
-                if reason := bad_attribute(attribute):
-                    refuse(node, reason)
-        elif isinstance(node, ast.Constant):
-            if isinstance(node.value, str | bytes) and len(node.value) > 50 * LONGEST:
-                refuse(node, "so long a literal")
-            if isinstance(node.value, int) and node.value.bit_length() > LONGEST:
-                refuse(node, "so large a number")
-        elif isinstance(node, ast.AsyncFunctionDef | ast.Await | ast.AsyncFor | ast.AsyncWith):
-            refuse(node, "async code")
-    return found
+def _unsafe(*whats: str) -> Refusals:
+    yield from ((what, "unsafe") for what in whats)
+
+
+def _attribute(node: ast.Attribute) -> Refusals:
+    inherited = node.attr == "__init__" and isinstance(node.value, ast.Call) and not node.value.args
+    if (reason := bad_attribute(node.attr)) and not inherited:
+        yield reason, "unsafe"
+    elif node.attr in leaks() or node.attr in rules()["machinery"]:
+        yield f"{node.attr} of a module beside the program", "passed on"
+
+
+def _import(node: ast.Import) -> Refusals:
+    for alias in node.names:
+        if alias.name not in rules()["import_whole"]:
+            yield f"import {alias.name}", f"import {alias.name} *"
+
+
+def _import_from(node: ast.ImportFrom) -> Refusals:
+    for alias in node.names:
+        if node.level or not importable(node.module or "", alias.name):
+            yield f"from {node.module} import {alias.name}", f"import {node.module} {alias.name}"
+
+
+def _model(node: Any) -> Refusals:
+    if node.name not in rules()["import_models"]:
+        yield f"the world model {node.name}", f"model {node.name} *"
+
+
+def _definition(node: Any) -> Refusals:
+    if node.name.startswith("__") and node.name not in rules()["methods"]:
+        yield f"to define {node.name}", "unsafe"
+    if isinstance(node, ast.ClassDef) and any(k.arg == "metaclass" for k in node.keywords):
+        yield "a metaclass", "unsafe"
+
+
+def _constant(node: ast.Constant) -> Refusals:
+    if isinstance(node.value, str | bytes) and len(node.value) > 50 * LONGEST:
+        yield "so long a literal", "unsafe"
+    if isinstance(node.value, int) and node.value.bit_length() > LONGEST:
+        yield "so large a number", "unsafe"
 
 
 def bad_name(name: str) -> str:

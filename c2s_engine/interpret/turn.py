@@ -83,7 +83,7 @@ def route(text: str, structure: Structure | None, last: PreviousTurn | None = No
             return Turn("question")
         if _introduces(plain, structure) or _stands_alone(plain):
             return Turn("scenario")
-        return Turn("edit", reply=_not_understood(text))
+        return Turn("edit", reply=_nobody(text, plain, structure) or _not_understood(text))
 
 
 def _change(text: str, structure: Structure) -> Turn | None:
@@ -240,6 +240,14 @@ def _which(text: str, structure: Structure, meant: list[str]) -> str:
     example = f"“remove {' and '.join(meant)}”"
     return (f"Which one is to be removed? “{text.strip()[:80]}” names none of them plainly: say for example {example}; "
             f"of weather, lights and roads say what is to be there instead. There are: {there}.")
+
+
+def _nobody(text: str, plain: str, structure: Structure) -> str:
+    """The answer to a removal of somebody who is not there; "" where it is none."""
+    removes = set(re.findall(r"[a-z]+", plain)) & set(language.table("trade")["removes"])
+    types = {c.spec.type for c in structure.objects if isinstance(c.spec, ObjectSpec)}
+    missing = [text[m.start : m.end] for m in mentions(text) if not any(map(m.fits, types))]
+    return f"There is no {missing[0]} in the scene: nothing was removed." if removes and missing else ""
 
 
 def _not_understood(text: str) -> str:

@@ -4,6 +4,7 @@ import time
 from collections.abc import AsyncGenerator, Callable, Sequence
 from contextlib import aclosing, suppress
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from c2s_engine.check.client import CheckClient
@@ -339,11 +340,15 @@ class Engine:
             async for row in rows:
                 yield row
 
-    async def import_program(self, text: str, filename: str = "program.scenic") -> Structure:
-        """S of any Scenic driving program; raises CheckError where it cannot be parsed."""
+    async def import_program(
+        self, text: str, filename: str = "program.scenic", folder: Path | None = None
+    ) -> Structure:
+        """S of any Scenic driving program; raises CheckError where it cannot be parsed. `folder`: where it lies, with
+        the map that it names."""
         found = await self.check_client.import_program(text, filename)
         assert found.structure is not None
-        return found.structure
+        beside = self.library.beside(text, folder) if folder is not None else None
+        return found.structure.with_spec("G", map=str(beside)) if beside is not None else found.structure
 
     def reach(self, structure: Structure, edit: Edit) -> list[ComponentId]:
         """What an edit will make dirty, before it is made (with the typed writer)."""

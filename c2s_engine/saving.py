@@ -28,7 +28,8 @@ def save(
     program: Program, folders: Sequence[str | None], target: Path, standalone: bool = False,
     structure: Structure | None = None,
 ) -> list[Path]:
-    """Write a program, and its map and library beside it (unless they already lie there); the files written.
+    """Write a program, and its map and library beside it; the files written. What lies there under their names stays
+    as it is, and is in `kept_beside` where it is another one.
 
     `folders`: where its map may lie, the likeliest first; `missing_files` lists those that are in none of them.
     `standalone`: with what it uses of the driving library in it. `structure`: its S, written as NAME.s.json.
@@ -44,15 +45,9 @@ def save(
     finally:
         draft.unlink(missing_ok=True)
     written.append(target)
-    places = [Path(folder) for folder in folders if folder]
-    found = (next((p / name for p in places if (p / name).is_file()), None) for name in _named(text))
-    for source in [*filter(None, found), *([driving.path()] if driving.used_by(text) else [])]:
+    for source in _companions(text, folders):
         copy = target.parent / source.name
-        if (
-            source.is_file()
-            and (not copy.exists() or copy.read_bytes() != source.read_bytes())
-            and source.resolve() != copy.resolve()
-        ):
+        if not copy.exists():
             shutil.copyfile(source, copy)
             written.append(copy)
     if structure is not None:
@@ -61,6 +56,26 @@ def save(
         side.write_text(kept + "\n", encoding="utf-8")
         written.append(side)
     return written
+
+
+def _companions(text: str, folders: Sequence[str | None]) -> list[Path]:
+    """What a program needs beside it: its map, where that is found, and the library."""
+    places = [Path(folder) for folder in folders if folder]
+    found = (next((p / name for p in places if (p / name).is_file()), None) for name in _named(text))
+    return [*filter(None, found), *([driving.path()] if driving.used_by(text) and driving.path().is_file() else [])]
+
+
+def kept_beside(program: Program, folders: Sequence[str | None], target: Path) -> list[str]:
+    """The names of the files beside a saved program that are not those it was written for: another map, or library."""
+    beside = [(source, target.parent / source.name) for source in _companions(program.text, folders)]
+    return [s.name for s, there in beside if there.is_file() and there.read_bytes() != s.read_bytes()]
+
+
+def kept_beside_message(names: Sequence[str]) -> str:
+    """That the program uses them now, and what to do where that is not meant."""
+    there = "is another one than the program was" if len(names) == 1 else "are others than the program was"
+    return f"{' and '.join(names)} there {there} written for: kept as it is, and used by the program. " \
+        "Save into a folder of its own to have the other."  # fmt: skip
 
 
 def missing_files(file: Path) -> list[str]:
@@ -86,17 +101,33 @@ def beside(file: Path) -> Path:
 def taken(file: Path, text: str) -> list[Edit]:
     """The edits that take a program from a file with the S that was saved with it, the text's changes since as code by
     hand; none where there is no such S."""
-    try:
-        data = json.loads(beside(file).read_text(encoding="utf-8"))
-        structure = Structure.model_validate(data["structure"]) if data["format"] == FORMAT else None
-    except (OSError, ValueError, KeyError, TypeError, ValidationError):
-        return []
+    structure = _saved_with(file)
     if structure is None:
         return []
     was = assemble(structure).text
     if not _alike(was, text) and not _alike(driving.inlined(was), text):
         return []
     return [Replace(structure=structure), *([SetProgram(text=text)] if text != was else [])]
+
+
+def not_as_saved(file: Path) -> bool:
+    """Whether a file is there whose text is not what was last saved with the S beside it: somebody's own, or changed
+    since."""
+    if not file.exists():
+        return False
+    structure = _saved_with(file)
+    was = assemble(structure).text if structure is not None else None
+    text = file.read_text(encoding="utf-8", errors="replace")
+    return was is None or text not in (was, driving.inlined(was))
+
+
+def _saved_with(file: Path) -> Structure | None:
+    """The S that was saved with a program; None: there is none that can be read."""
+    try:
+        data = json.loads(beside(file).read_text(encoding="utf-8"))
+        return Structure.model_validate(data["structure"]) if data["format"] == FORMAT else None
+    except (OSError, ValueError, KeyError, TypeError, ValidationError):
+        return None
 
 
 def spans(edits: Sequence[Edit]) -> tuple[FragmentSpan, ...]:

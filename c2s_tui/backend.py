@@ -142,11 +142,15 @@ class Backend:
     def save(
         self, program: "Program", folders: Sequence[str | None], target: Path, structure: "Structure"
     ) -> tuple[list[Path], list[str]]:
-        """Write a program, its map and its S beside it; the files written, and those that it needs and that are in
-        none of the folders. Raises OSError."""
-        from c2s_engine.saving import missing_files, save
+        """Write a program, its map and its S beside it; the files written, and what is to be known of the others that
+        it needs: those that are not there, and those that are others. Raises OSError."""
+        from c2s_engine.saving import kept_beside, kept_beside_message, missing_files, missing_files_message, save
 
-        return save(program, (*folders, self.folder(program.text)), target, structure=structure), missing_files(target)
+        places = (*folders, self.folder(program.text))
+        written = save(program, places, target, structure=structure)
+        missing, kept = missing_files(target), kept_beside(program, places, target)
+        told = [missing_files_message(missing)] if missing else []
+        return written, [*told, *([kept_beside_message(kept)] if kept else [])]
 
     async def close(self) -> None:
         """Close the session, the engine and the thread. None that is slow to end is waited for: the pipe of a process

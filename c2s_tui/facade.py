@@ -2,6 +2,7 @@
 
 from collections.abc import AsyncGenerator, Iterable, Sequence
 from contextlib import AbstractAsyncContextManager
+from pathlib import Path
 from typing import Any, Protocol
 
 from c2s_engine.config import Settings
@@ -54,7 +55,7 @@ class EngineFacade(Turns, Checking, Protocol):
         self, text: str, structure: Structure, before: Structure | None = None
     ) -> Sequence[Unmet]: ...
 
-    async def import_program(self, text: str, /) -> Structure: ...
+    async def import_program(self, text: str, filename: str = ..., folder: Path | None = ...) -> Structure: ...
 
     async def search(self, query: str, *, kind: str = "doc", limit: int = 5) -> list[Any]: ...
 

@@ -55,21 +55,19 @@ class Files(Part):
 
     async def write(self, target: Path) -> None:
         """Write the text that the code pane shows, edits that are not applied included."""
-        from c2s_engine.saving import missing_files_message
-
         program = self.desk.program.model_copy(update={"text": self.bench.code.text})
         try:
             folders = [self.desk.folder, str(self.file.parent) if self.file else None]
             saved = partial(self.backend.save, program, folders, target, self.desk.structure)
-            written, lacking = await asyncio.to_thread(saved)
+            written, told = await asyncio.to_thread(saved)
         except OSError as error:
             await self.chat.note(f"{target} could not be written: {error.strerror or error}", "error")
             return
         self.file, self.file_seen = target, _stamp(target)
         self.saved_text = program.text
         await self.chat.note(f"Saved {', '.join(p.name for p in written)} in {target.absolute().parent}.")
-        if lacking:
-            await self.chat.note(missing_files_message(lacking), "warning")
+        for words in told:
+            await self.chat.note(words, "warning")
 
     async def _resolve_change(self, answer: str | None, target: Path) -> None:
         if answer == "over":
@@ -128,7 +126,7 @@ class Files(Part):
         edits, converted = await asyncio.to_thread(taken, path, text), False
         if not edits:
             try:
-                structure = await self.backend.ask(lambda engine: engine.import_program(text))
+                structure = await self.backend.ask(lambda engine: engine.import_program(text, folder=path.parent))
             except (ValueError, OSError, RuntimeError) as error:
                 await self.chat.note(f"{path.name} could not be imported: {sentence(error)}", "error")
                 return

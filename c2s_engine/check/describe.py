@@ -195,11 +195,10 @@ class Context:
             spec: Any = specs.EgoSpec(type=vehicle, **common)
             return spec, self._object_sentence(cid, made, common, None, behavior, conduct, units), tuple(unmet)
         placement = None if count > 1 else self._placement(cid, name, made, common)
-        guess = self._as_required(cid, name or cid) if placement is None else None
         if placement is None:
             unmet.append(_stays("its place"))
-        if placement or guess:
-            common["placement"] = placement or guess
+        else:
+            common["placement"] = placement
         common |= {"count": count} if 1 < count <= COUNTED else {}
         own = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name)
         spec = specs.ObjectSpec(name=own or kind or "actor", type=kind or "obstacle", **common)
@@ -217,15 +216,6 @@ class Context:
         if way is not None and not common["phases"]:
             common["phases"] = (specs.Phase.model_validate({"action": action[way]}),)
         return specs.Placement(position="opposite_approach")
-
-    def _as_required(self, cid: str, name: str) -> specs.Placement | None:
-        """An object of which only a distance from ego is required is taken to be as far ahead."""
-        asked = (c for c in self.limits.require if {c.subject, c.other} == {"ego", cid} and c.minimum is not None)
-        for condition in asked:
-            low = condition.minimum or 0.0
-            most = self.whereabouts.apart(condition.maximum, name) if condition.maximum is not None else low
-            return specs.Placement(gap=low if most <= low else (low, most))
-        return None
 
     def _made_elsewhere(self, cid: str, units: Sequence[Any]) -> tuple[Any, str, tuple[Unmet, ...]]:
         """A component whose statement makes no object by itself: a function that it calls does, or nothing is there."""

@@ -39,10 +39,15 @@ class InputError(ValueError):
     """The input cannot be used; one sentence that says why and what to do."""
 
 
-def needs_folder(output: str | Path | None) -> None:
-    """Refuse, before anything is done, to save where no folder is; raises InputError."""
+def may_save(output: str | Path | None) -> None:
+    """Refuse, before anything is done, to save where no folder is, or over what c2s did not save as it is; raises
+    InputError."""
+    from c2s_engine.saving import not_as_saved
+
     if output and not Path(output).parent.exists():
         raise InputError(f"There is no folder {Path(output).parent}: make it, or save elsewhere.")
+    if output and Path(output).is_file() and not_as_saved(Path(output)):
+        raise InputError(f"{output} is there already and is not as c2s saved it: save elsewhere, or remove it first.")
 
 
 def fail(message: str, code: int = BAD_INPUT, as_json: bool = False) -> NoReturn:

@@ -19,7 +19,7 @@ from c2s_engine.commands.console import (
     InputError,
     dump,
     err,
-    needs_folder,
+    may_save,
     out,
     sentences,
     work,
@@ -74,17 +74,20 @@ def generate(
         for name, wanted in (("--widen", widen), ("--contradictions", contradictions)):
             if wanted and no_run:
                 raise InputError(f"{name} needs dry runs: remove --no-run.")
-        needs_folder(output)
+        may_save(output)
     options = {"method": method, "map": map_name, "seed": seed, "run": not no_run, "runs": runs, "improve": improve}
     options |= {"strict": strict, "widen": widen}
     done: Finished = work(_generate(description, options, model, as_json, contradictions), as_json)
     if output is not None and done.program.text:
         with sentences(as_json):
-            from c2s_engine.saving import save
+            from c2s_engine.saving import kept_beside, kept_beside_message, save
 
-            written = save(done.program, [done.details.get("folder")], output, standalone, done.structure)
+            folders = [done.details.get("folder")]
+            written = save(done.program, folders, output, standalone, done.structure)
             if not as_json:
                 err.print(Text(f"saved {', '.join(str(p) for p in written)}"))
+            if not standalone and (kept := kept_beside(done.program, folders, output)):
+                err.print(Text(kept_beside_message(kept), style="yellow"))
     if as_json:
         dump(as_dict(done))
     else:

@@ -102,7 +102,8 @@ async def judged_by(engine: "Engine", text: str, file: Path | None) -> tuple[Str
         words += f", and what was changed in {file.name} since." if edits[1:] else ", saved with the program."
         return await followed(engine, edits), Program(text=text, spans=spans(edits)), words
     with suppress(CheckError):  # what cannot be parsed is told by the check
-        structure = await engine.import_program(text, file.name if file else "program.scenic")
+        name, folder = (file.name, file.parent) if file else ("program.scenic", None)
+        structure = await engine.import_program(text, name, folder)
         program = assemble(structure)
         found = program.spans if program.text.strip() == text.strip() else ()
         return structure, Program(text=text, spans=found), "Judged by what is recognised in the program."

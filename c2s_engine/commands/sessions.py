@@ -13,7 +13,7 @@ import typer
 from rich.text import Text
 
 from c2s_engine.commands import show
-from c2s_engine.commands.console import OK, InputError, dump, err, needs_folder, out, sentences
+from c2s_engine.commands.console import OK, InputError, dump, err, may_save, out, sentences
 from c2s_engine.commands.generate import exit_code, with_contradictions
 from c2s_engine.commands.reading import read_program
 from c2s_engine.commands.series import chosen_seeds, series
@@ -80,7 +80,7 @@ def edit(
         chosen = chosen_seeds(seeds, seed)
         if contradictions and no_run:
             raise InputError("--contradictions needs dry runs: remove --no-run.")
-        needs_folder(output)
+        may_save(output)
         text = (program, read_program(program)) if program else None
         if not (new or program):
             known(name)
@@ -90,7 +90,7 @@ def edit(
         if output is not None:
             from c2s_engine.config import load_settings
             from c2s_engine.maps.library import MapLibrary
-            from c2s_engine.saving import missing_files, missing_files_message, save
+            from c2s_engine.saving import kept_beside, kept_beside_message, missing_files, missing_files_message, save
 
             settings = load_settings()
             at_hand = MapLibrary(settings.map_folders, settings.carla_root).folder_of(session.program.text)
@@ -98,6 +98,8 @@ def edit(
             written = save(session.program, folders, output, standalone, session.structure)
             if not as_json:
                 err.print(Text(f"saved {', '.join(map(str, written))}"))
+            if not standalone and (kept := kept_beside(session.program, folders, output)):
+                err.print(Text(kept_beside_message(kept), style="yellow"))
             if missing := missing_files(output):
                 err.print(Text(missing_files_message(missing), style="yellow"))
         if not as_json:
@@ -265,7 +267,9 @@ async def _work(
             if to is not None:
                 done = await _take(session.back_to(to - 1), quiet)
             if program:
-                given = taken(*program) or [Replace(structure=await engine.import_program(program[1]))]
+                file, text = program
+                read = [] if taken(file, text) else [await engine.import_program(text, folder=file.parent)]
+                given = [Replace(structure=read[0])] if read else taken(file, text)
                 done = await _take(session.apply(given, **options), quiet)
             if say:
                 upon = session.structure

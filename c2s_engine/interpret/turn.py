@@ -218,8 +218,8 @@ def _names(text: str, cid: str, structure: Structure) -> bool:
 
 
 def _speaks_of(text: str, component: Component, structure: Structure) -> bool:
-    """Whether a text may speak of an object: by its id, by a noun for it or another of its words, or by no noun at all
-    ("delete it")."""
+    """Whether a text may speak of an object: by its id, by a noun for it or another of its words, or, where that is the
+    only one or it counts them ("the second one"), by no noun at all ("delete it")."""
     spec = component.spec
     assert isinstance(spec, ObjectSpec)
     if re.search(rf"\b{component.id}\b", text, re.IGNORECASE):
@@ -227,11 +227,10 @@ def _speaks_of(text: str, component: Component, structure: Structure) -> bool:
     own = {*said_words(component, structure), *stems(spec.name.replace("_", " "))}
     own |= {stem for link in component.links for stem in stems(link.label)}
     called = any(m.fits(spec.type) or m.type == "vehicle" for m in mentions(text))
-    return called or bool(own & stems(text)) or not any(map(_is_noun, parser()(text)))
-
-
-def _is_noun(token: Any) -> bool:
-    return token.pos_ in ("NOUN", "PROPN") and token.lower_ not in ("one", "ones")
+    words = parser()(text)
+    noun = any(t.pos_ in ("NOUN", "PROPN") and t.lower_ not in ("one", "ones") for t in words)
+    counts = len(structure.objects) == 1 or not any(t.tag_ == "PRP" for t in words)
+    return called or bool(own & stems(text)) or not noun and counts
 
 
 def _which(text: str, structure: Structure, meant: list[str]) -> str:

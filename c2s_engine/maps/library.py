@@ -94,6 +94,16 @@ class MapLibrary:
         used = max(copies, key=lambda path: path.stat().st_mtime, default=None)
         return self._map_file(said[1], used) if used is not None else None
 
+    def beside(self, program: str, folder: Path) -> Path | None:
+        """The map that a program in a folder names by its file, where that is none of those known by name."""
+        said = NAMED.search(program)
+        path = (folder / f"{said[1]}{EXTENSION}").resolve() if said is not None else None
+        if path is None or not path.is_file():
+            return None
+        with contextlib.suppress(MapNotFound):
+            return path if self._digest(self.find(path.stem).path) != self._digest(path) else None
+        return path
+
     def folder_of(self, program: str) -> str | None:
         """The folder in which the map that a program names lies; None where it names none that is known."""
         try:

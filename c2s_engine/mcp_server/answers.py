@@ -33,13 +33,14 @@ def structure(s: Structure, idle: Sequence[Unmet] = ()) -> dict[str, Any]:
 
 def scenario(done: Finished, output: str | None, idle: Sequence[Unmet] = ()) -> dict[str, Any]:
     """A turn's end: the program, S and what the run showed; saved where that is wanted."""
-    saved = []
+    saved: list[str] = []
+    kept: list[str] = []
     if output and done.program.text:
-        from c2s_engine.saving import save
+        from c2s_engine.saving import kept_beside, save
 
-        saved = [str(p) for p in save(
-            done.program, [done.details.get("folder")], Path(output), structure=done.structure
-        )]  # fmt: skip
+        folders = [done.details.get("folder")]
+        saved = [str(p) for p in save(done.program, folders, Path(output), structure=done.structure)]
+        kept = kept_beside(done.program, folders, Path(output))
     return {
         "ok": done.ok,
         "program": done.program.text,
@@ -49,6 +50,7 @@ def scenario(done: Finished, output: str | None, idle: Sequence[Unmet] = ()) -> 
         "required": required(done.requirements, done.results),
         "map": done.details.get("map"),
         "saved": saved,
+        "kept_beside": kept,
     }
 
 

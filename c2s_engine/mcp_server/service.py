@@ -17,7 +17,7 @@ from c2s_engine.api import Engine
 from c2s_engine.check.protocol import CheckReport
 from c2s_engine.commands import show
 from c2s_engine.commands.checking import fixed, ran
-from c2s_engine.commands.console import InputError, needs_folder, sentence
+from c2s_engine.commands.console import InputError, may_save, sentence
 from c2s_engine.commands.reading import description, read_program
 from c2s_engine.config import Settings
 from c2s_engine.maps.library import MapNotFound
@@ -117,7 +117,7 @@ class Service:
         """Turn a description of a driving scenario into a Scenic program, compile and run it (without CARLA)."""
 
         async def work() -> dict[str, Any]:
-            needs_folder(output)
+            may_save(output)
             teller, words = Teller(context), description(text)
             options = {"method": method, "map": map, "seed": seed, "runs": runs, "strict": strict}
             done, _ = await teller.finish(self.engine.generate(words, **options))  # type: ignore[arg-type]
@@ -195,7 +195,7 @@ class Service:
             from c2s_engine.session.sessions import Sessions
             from c2s_engine.structure.edits import Replace
 
-            needs_folder(output)
+            may_save(output)
             edits = [*(field_edit(name, value) for name, value in (set or {}).items()), *edits_of([], remove or [], [])]
             teller = Teller(context)
             options = {"method": method, "seed": seed}

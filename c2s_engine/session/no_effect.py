@@ -15,12 +15,15 @@ from c2s_engine.structure.components import Component, Structure, Unmet
 from c2s_engine.structure.objects import types
 from c2s_engine.structure.sentences import sentence
 from c2s_engine.structure.stems import stems
+from c2s_engine.structure.vocabulary import ON_FOOT
 
 SHOWN = 60
 """Characters of a text by which it is named."""
 JOINED = re.compile(r"(?:(?:and|but|then|or)\b\s*)*", re.IGNORECASE)
 SMALL = stems("a an the its his her with of by for from to at in on onto along and but then or")
 REASON = "nothing in S says it"
+
+_NOT = re.compile(r"(?:\b(?:not|never|no longer|without)|n['’]t)\s+(\w+)", re.IGNORECASE)
 
 Span = tuple[int, int]
 
@@ -52,6 +55,8 @@ async def without_effect(
         becomes = [(n.start, n.end) for n in mentions(text) if any(map(n.fits, new))]
         found = [span for span in found if not meets(span, *becomes)]
         found += [span for span in absent(mentions(text), there) if not meets(span, *found)]
+        found += [span for span in _nobody(text, there) if not meets(span, *found)]
+        found += [span for span in _negated(text, structure, before) if not meets(span, *found)]
         found += [span for span in ([] if gone else _removals(text)) if not meets(span, *found)]
     if before is not None:
         found += [span for span in _directions(text, structure, before) if not meets(span, *found)]
@@ -77,6 +82,23 @@ def _is_less(before: Structure, structure: Structure) -> bool:
     was, now = ({(c.id, path) for c in s.components for path, _ in values_of(c.spec.model_dump(exclude_defaults=True))}
                 for s in (before, structure))  # fmt: skip
     return bool(was - now)
+
+
+def _nobody(text: str, there: frozenset[str]) -> list[Span]:
+    """Where a change names somebody on foot or riding whom nobody of S can be, but for those spoken of again."""
+    again = stems(" ".join(language.table("trade")["again"]))
+    named = [n for n in mentions(text) if n.type in (*ON_FOOT, "bicycle") and not any(map(n.fits, there))]
+    return [(n.start, n.end) for n in named if not stems(text[n.start : n.end]) & again]
+
+
+def _negated(text: str, structure: Structure, before: Structure) -> list[Span]:
+    """Where a change says that something is not done which somebody whom it changed still does."""
+    does: set[str] = set()
+    for component in structure.components:
+        if component.id not in before or before[component.id].spec != component.spec:
+            own = said_words(component, structure).items()
+            does |= {word for word, field in own if field.startswith(("phases", "reaction"))}
+    return [m.span() for m in _NOT.finditer(text) if stems(m[1]) & does]
 
 
 def _removals(text: str) -> list[Span]:

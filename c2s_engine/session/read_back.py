@@ -1,6 +1,8 @@
 """Code edited by hand, read back into S: where the writer itself would write the edit for another value of a field, it
 is an edit of that field; elsewhere S takes over what the program, read again, says anew."""
 
+import re
+
 from pydantic import ValidationError
 
 from c2s_engine.check.client import CheckClient, CheckError
@@ -19,6 +21,8 @@ from c2s_engine.write.inverted import as_constant, as_field
 from c2s_engine.write.merged import Upon, constants, without_numbers
 from c2s_engine.write.typed.writer import TypedWriter
 
+_NUMBER = r"-?\d+(?:\.\d+)?"
+
 
 async def read_back(
     before: Structure, after: Structure, writer: TypedWriter, check: CheckClient, emit: Emit
@@ -31,11 +35,11 @@ async def read_back(
         base = _base(before, cid, writer)
         was = base if constants(base).keys() - constants(before[cid].code).keys() else before[cid].code
         old = without_numbers(was, after[cid].code)
-        unread[cid] = _renumbered(base, was, after[cid].code)
+        unread[cid] = _renumbered(base, was, after[cid].code) | _no_number(base, was, after[cid].code)
         fields = _numbers_read(after, cid, old, base, writer) if base else None
         read = fields is not None
         if fields is None and unread[cid]:
-            fields = as_constant(after, cid, writer, base)
+            fields = as_constant(after, cid, writer, base) or _range_read(after, cid, unread[cid], was, base, writer)
         if fields is not None:
             found = changes(data(after[cid]), data(fields[cid]))
             told += [(cid, change) for change in found]
@@ -69,6 +73,38 @@ def _renumbered(base: str, was: str, code: str) -> dict[str, str]:
     before, ours = constants(was), constants(base)
     found = constants(code).items()
     return {name: n for name, n in found if name in ours and name in before and float(n) != float(before[name])}
+
+
+def _no_number(base: str, was: str, code: str) -> dict[str, str]:
+    """The constants of the writer's own that were numbers and are anything else now, such as a range."""
+    lost = constants(was).keys() & constants(base).keys() - constants(code).keys()
+    found = {name: re.search(rf"^{name} = ([^#\n]*)", code, re.MULTILINE) for name in lost}
+    return {name: match[1].strip() for name, match in found.items() if match}
+
+
+def _range_read(
+    after: Structure, cid: ComponentId, numbers: dict[str, str], was: str, base: str, writer: TypedWriter
+) -> Structure | None:
+    """S with the field that a constant stands for which is a range now, read by the range's middle; None where it is
+    not one such constant, or no field that is a single number."""
+    (name, value), *others = numbers.items()
+    found = re.fullmatch(rf"Range\(({_NUMBER}), ({_NUMBER})\)", value)
+    if others or found is None or not base:
+        return None
+    least, most = float(found[1]), float(found[2])
+    middle = (least + most) / 2
+    code = re.sub(rf"^{name} = Range\([^)]*\)", f"{name} = {middle:g}", after[cid].code, flags=re.MULTILINE)
+    trial = after.with_component(after[cid].model_copy(update={"code": code}))
+    read = _numbers_read(trial, cid, without_numbers(was, code), base, writer) or as_constant(trial, cid, writer, base)
+    changed = changes(data(after[cid]), data(read[cid])) if read is not None else []
+    if read is None or len(changed) != 1 or not isinstance(changed[0].new, int | float) or not middle:
+        return None
+    both = [round(changed[0].new * end / middle, 3) for end in (least, most)]
+    try:
+        spec = SPEC_ADAPTER.validate_python(put(data(read[cid]), changed[0].path, both))
+    except ValidationError:  # a field that is no range
+        return None
+    return read.with_component(read[cid].model_copy(update={"spec": spec, "code": after[cid].code}))
 
 
 def _numbers_read(

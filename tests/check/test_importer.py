@@ -327,12 +327,13 @@ def test_what_is_left_of_an_upgrade_is_said_at_its_own_line() -> None:
     assert found.edit is None
 
 
-def test_an_object_of_unknown_place_keeps_its_required_distance() -> None:
+def test_an_object_of_unknown_place_is_nowhere_in_particular() -> None:
+    """What a program requires of its distance is in T, and no placement."""
     text = HEAD + "ego = new Car\nbin = new Trash on visible curb\nrequire 30 < (distance from ego to bin) < 50\n"
-    found = imported(text)["O1"]
-    assert found.spec.placement.gap == (30, pytest.approx(50 - 2.3 - 0.4))
-    assert [u.text for u in found.unmet] == ["its place"]
-    assert found.description == "bin is a trash on a place near curb."
+    found = imported(text)
+    assert found["O1"].spec.placement.gap is None and found["T"].spec.require
+    assert [u.text for u in found["O1"].unmet] == ["its place"]
+    assert found["O1"].description == "bin is a trash on a place near curb."
 
 
 def test_the_diff_marks_an_end_without_a_newline() -> None:

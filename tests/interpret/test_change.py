@@ -120,6 +120,7 @@ def test_who_is_named_and_there_is_not_taken_for_another(scene, text, who):
     ("5 m further away", "O1: gap=5m", "placement.gap", 17.0),
     ("ego drives 10 km/h slower", "E: speed=10km/h", "speed", 11.111),
     ("reduce its gap by 2 m", "O1: gap=2m", "placement.gap", 10.0),
+    ("ego slower, 36 km/h", "E: speed=36km/h", "speed", 10.0),
     ("the gap is 5 m", "O1: gap=5m", "placement.gap", 5.0), ("12 m closer", "O1: gap=24m", "placement.gap", None),
 ])  # fmt: skip
 def test_by_how_much_is_counted_from_what_it_was(scene, text, line, path, value, monkeypatch):

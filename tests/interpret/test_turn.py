@@ -46,7 +46,7 @@ def test_what_a_turn_is_taken_for(monkeypatch: pytest.MonkeyPatch, case: dict[st
 @pytest.mark.parametrize(("text", "likely", "asks"), [
     ("remove the second one", 0.9, False), ("remove the second one", 0.5, True), ("remove O2", 0.5, False),
     ("remove the rain", 0.9, True), ("delete the traffic light", 0.9, True), ("no, the other one", 0.9, True),
-    ("no, delete the other one", 0.9, False), ("delete it", 0.9, False),
+    ("no, delete the other one", 0.9, False), ("delete it", 0.9, True),
 ])  # fmt: skip
 def test_nobody_is_removed_who_may_not_be_meant(
     monkeypatch: pytest.MonkeyPatch, text: str, likely: float, asks: bool

@@ -197,3 +197,15 @@ async def test_a_comment_in_ego_leaves_the_others_as_they_are(session):
     others = {c.id: c.code for c in session.structure.components if c.id != "E"}
     assert others == {k: v for k, v in was.items() if k != "E"}
     assert "place_of(" not in session.structure["O1"].code
+
+
+async def test_a_number_that_becomes_a_range_is_read_into_s(session):
+    told = await by_hand(session, "E", REMARK, ("EGO_SPEED = 8.33", "EGO_SPEED = Range(4, 6)"))
+    ego = session.structure["E"]
+    assert "E, read from the code: speed is 14.4 to 21.6 km/h." in told
+    assert ego.spec.speed == (4.0, 6.0) and "Range(4, 6)" in ego.code and not ego.conflict
+
+
+async def test_an_expression_in_the_place_of_a_number_is_told(session):
+    told = await by_hand(session, "E", REMARK, ("EGO_SPEED = 8.33", "EGO_SPEED = 2 * 4"))
+    assert "EGO_SPEED = 2 * 4 was not read from the code" in told or "speed is 28.8 km/h" in told

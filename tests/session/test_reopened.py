@@ -5,9 +5,10 @@ import json
 import pytest
 import pytest_asyncio
 
+from c2s_engine.commands.console import InputError, may_save
 from c2s_engine.commands.reading import judged_by
 from c2s_engine.commands.texts import imported
-from c2s_engine.saving import beside, save, taken
+from c2s_engine.saving import beside, kept_beside, not_as_saved, save, taken
 from c2s_engine.session.sessions import Sessions
 from c2s_engine.structure.edits import Replace, SetProgram
 from c2s_engine.structure.progress import Finished
@@ -115,3 +116,31 @@ async def test_a_small_change_leaves_the_s(made, tmp_path):
     file = tmp_path / "a.scenic"
     save(done.program, [], file, structure=done.structure)
     assert taken(file, done.program.text + "# end\n")[1:] == [SetProgram(text=done.program.text + "# end\n")]
+
+
+async def test_what_lies_beside_is_never_replaced(made, tmp_path):
+    engine, done = made
+    library, map_file = tmp_path / "c2s_driving.scenic", tmp_path / "town.xodr"
+    library.write_text("# MY OWN\n")
+    map_file.write_text("mine")
+    folders = [done.details["folder"]]
+    save(done.program, folders, tmp_path / "a.scenic", structure=done.structure)
+    assert (library.read_text(), map_file.read_text()) == ("# MY OWN\n", "mine")
+    assert kept_beside(done.program, folders, tmp_path / "a.scenic") == ["town.xodr", "c2s_driving.scenic"]
+    (tmp_path / "new").mkdir()
+    save(done.program, folders, tmp_path / "new" / "a.scenic", structure=done.structure)
+    assert not kept_beside(done.program, folders, tmp_path / "new" / "a.scenic")
+
+
+async def test_a_file_is_as_it_was_saved_until_somebody_changes_it(made, tmp_path):
+    engine, done = made
+    file = tmp_path / "a.scenic"
+    assert not not_as_saved(file)
+    for standalone in (False, True):
+        save(done.program, [], file, standalone=standalone, structure=done.structure)
+        assert not not_as_saved(file)
+    file.write_text(file.read_text() + "# mine\n")
+    assert not_as_saved(file)
+    may_save(tmp_path / "b.scenic")
+    with pytest.raises(InputError, match="a.scenic is there already and is not as c2s saved it"):
+        may_save(file)

@@ -20,7 +20,8 @@ def relative_amounts(text: str) -> list[tuple[Span, float, str, int]]:
     other words of the text tell."""
     signs, found = language.table("trade")["relative"], []
     for (start, end), value, unit in quantities(text):
-        beside = {*text[:start].lower().split()[-1:], *text[end:].lower().split()[:1]}
+        before = text[:start].lower().split()[-1:]  # "slower, 50 km/h" says how fast
+        beside = {*(word for word in before if word[-1] not in ".,;:!"), *text[end:].lower().split()[:1]}
         beside = {word.strip(".,;:!") for word in beside}
         sign = next((s for s, name in ((1, "more"), (-1, "less"), (0, "by")) if beside & set(signs[name])), None)
         if sign is not None:

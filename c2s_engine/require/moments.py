@@ -72,8 +72,7 @@ def delays(scene: Scene) -> Iterator[Requirement]:
         if trigger is None or trigger.kind not in ("time", "action") or trigger.subject not in (None, actor):
             continue
         since = due(phase)
-        field = "delay" if trigger.delay is not None else "value"
-        if trigger.delay is None and since is None or not scene.stated(cid, f"{path}.trigger.{field}"):
+        if trigger.delay is None and since is None or not says_when(scene, cid, path, phase):
             continue
         least, most = ends(trigger.delay if since is None else since) or (0.0, 0.0)
         when = f"{least:g} s " + ("later" if since is None else "after the start")
@@ -81,6 +80,12 @@ def delays(scene: Scene) -> Iterator[Requirement]:
                          f"{phase.action.replace('_', ' ')} {when}.", of=f"{cid}.{path}.{phase.action}",
                          action=phase.action, after=_awaited(scene, trigger.of, trigger.action), other=trigger.of,
                          its=trigger.action or "", least=least, most=most)  # fmt: skip
+
+
+def says_when(scene: Scene, cid: str, path: str, phase: Phase) -> bool:
+    """Whether S itself says the time, or the delay, of a phase's trigger: the planner chose neither."""
+    field = "delay" if phase.trigger is not None and phase.trigger.delay is not None else "value"
+    return scene.stated(cid, f"{path}.trigger") and scene.stated(cid, f"{path}.trigger.{field}")
 
 
 def due(phase: Phase) -> Quantity | None:

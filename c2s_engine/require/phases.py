@@ -49,7 +49,8 @@ def required(scene: Scene) -> Iterator[Requirement]:
         if after and one:
             values["after"] = after
             values["again"] = (one.action, one.target) == (phase.action, phase.target)
-        if (since := moments.due(phase)) is not None and scene.stated(component_of(actor), f"{path}.trigger.value"):
+        since = moments.due(phase)
+        if since is not None and moments.says_when(scene, component_of(actor), path, phase):
             values["due"] = low(since)
         if (change := _change(scene, actor, i)) is not None:
             values["change"] = change

@@ -257,7 +257,7 @@ class _Work:
 
     def _as_read(self, structure: Structure, cid: ComponentId) -> Structure:
         """A component with what the changed program says of it besides the edit: its gap, where the types of objects
-        or a required distance decide on that, and its sentences, where they are the reader's."""
+        decide on that, and its sentences, where they are the reader's."""
         there = counterpart(self.before[cid], self.first)
         if there is None or there not in self.first or there not in self.read:
             return structure

@@ -161,6 +161,8 @@ def obj(spec: ObjectSpec, names: dict[str, str] | None = None) -> str:
     text = f"{what} {where}"
     if place.gap is not None:
         text += f", {_metres(place.gap)} away"
+    if many and spec.spacing is not None:
+        text += f", {_metres(spec.spacing)} apart"
     if place.lanes_over > 1:
         text += f", {place.lanes_over} lanes over"
     if place.lateral is not None:

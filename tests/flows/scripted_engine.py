@@ -298,7 +298,7 @@ class ScriptedEngine:
         self.calls.append(("search", query))
         return self.passages
 
-    async def import_program(self, text: str) -> Structure:
+    async def import_program(self, text: str, filename: str = "", folder: object = None) -> Structure:
         structure = Structure(arrangement=(("E", text),))
         for component in structure.components:
             code = text if component.id == "E" else ""

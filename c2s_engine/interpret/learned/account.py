@@ -129,6 +129,7 @@ def _unread(
     for token in parser()(plain):
         span = token.idx, token.idx + len(token)
         tells = token.pos_ in ("NOUN", "VERB", "ADJ", "ADV") and token.is_alpha and token.lower_ not in _small()
+        tells |= token.lower_ in trade["directions"]
         if tells and stem(token.lower_) not in said and not meets(span, *taken):
             yield span
 

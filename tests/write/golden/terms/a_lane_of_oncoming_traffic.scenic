@@ -24,7 +24,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with behavior EgoBehavior()
 require monitor Lights()  # in CARLA: all are green
 
-## O1: 4 cars in the oncoming lane, 50 m away, at 43.2 km/h.
+## O1: 4 cars in the oncoming lane, 50 m away, 20 m apart, at 43.2 km/h.
 ACTOR1_SPEED = 12  # m/s
 ACTOR1_GAP = 50  # m, bumper to bumper
 ACTOR1_AT = EGO_AT + ACTOR1_GAP + 5  # m along the lane; their bodies take 5

@@ -22,7 +22,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 
-## O1: 3 trucks ahead of ego in the lane to the right, 10 m away, at 79.2 km/h.
+## O1: 3 trucks ahead of ego in the lane to the right, 10 m away, 8 m apart, at 79.2 km/h.
 PLATOON_SPEED = 22  # m/s
 PLATOON_GAP = 10  # m, bumper to bumper
 PLATOON_AT = EGO_AT + PLATOON_GAP + 6.55  # m along the lane; their bodies take 6.55

@@ -22,7 +22,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with blueprint 'vehicle.lincoln.mkz_2017',
     with behavior EgoBehavior()
 
-## O1: 5 cars behind ego in the lane to the left, 10 m away, at 101 km/h.
+## O1: 5 cars behind ego in the lane to the left, 10 m away, 20 m apart, at 101 km/h.
 STREAM_SPEED = 28  # m/s
 STREAM_GAP = 10  # m, bumper to bumper
 STREAM_AT = EGO_AT - STREAM_GAP - 5  # m along the lane; their bodies take 5

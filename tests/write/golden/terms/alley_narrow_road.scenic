@@ -23,7 +23,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with behavior EgoBehavior()
 require monitor Lights()  # in CARLA: all are green
 
-## O1: 3 walls partly in the lane at its left edge, 30 m away.
+## O1: 3 walls partly in the lane at its left edge, 30 m away, 1 m apart.
 LEFT_WALL_GAP = 30  # m, bumper to bumper
 LEFT_WALL_AT = EGO_AT + LEFT_WALL_GAP + 8.6  # m along the lane; their bodies take 8.6
 left_wall = [new Barrier at beside(place.lane.centerline, place.lane, LEFT_WALL_AT + 13 * i, -1.6),
@@ -35,7 +35,7 @@ left_wall = [new Barrier at beside(place.lane.centerline, place.lane, LEFT_WALL_
     with width 0.4,
     with height 2.2 for i in range(3)]
 
-## O2: 3 walls partly in the lane at its right edge, 30 m away.
+## O2: 3 walls partly in the lane at its right edge, 30 m away, 1 m apart.
 RIGHT_WALL_GAP = 30  # m, bumper to bumper
 RIGHT_WALL_AT = EGO_AT + RIGHT_WALL_GAP + 8.6  # m along the lane; their bodies take 8.6
 right_wall = [new Barrier at beside(place.lane.centerline, place.lane, RIGHT_WALL_AT + 13 * i, 1.6),

@@ -24,7 +24,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with behavior EgoBehavior()
 require monitor Lights()  # in CARLA: all are green
 
-## O1: 4 cars parked on the right, 30 m away.
+## O1: 4 cars parked on the right, 30 m away, 2 m apart.
 ROW_GAP = 30  # m, bumper to bumper
 ROW_AT = EGO_AT + ROW_GAP + 5  # m along the lane; their bodies take 5
 row = [new Car at beside(place.lane.rightEdge, place.lane, ROW_AT + 6.3 * i, 1.6),

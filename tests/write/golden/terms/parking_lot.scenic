@@ -24,7 +24,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with behavior EgoBehavior()
 require monitor Lights()  # in CARLA: all are green
 
-## O1: 4 cars parked on the right, 5 m away.
+## O1: 4 cars parked on the right, 5 m away, 2 m apart.
 ROW_GAP = 5  # m, bumper to bumper
 ROW_AT = EGO_AT + ROW_GAP + 3.7  # m along the lane; their bodies take 3.7
 row = [new Car at beside(place.lane.rightEdge, place.lane, ROW_AT + 3.7 * i, 3.6),

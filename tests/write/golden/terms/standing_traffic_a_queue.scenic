@@ -24,7 +24,7 @@ ego = new Car at place.lane.centerline.pointAlongBy(EGO_AT),
     with behavior EgoBehavior()
 require monitor Lights()  # in CARLA: all are green
 
-## O1: 4 cars ahead of ego in the same lane, 60 m away; they stand still.
+## O1: 4 cars ahead of ego in the same lane, 60 m away, 3 m apart; they stand still.
 QUEUE_GAP = 60  # m, bumper to bumper
 QUEUE_AT = EGO_AT + QUEUE_GAP + 5  # m along the lane; their bodies take 5
 queue = [new Car at place.lane.centerline.pointAlongBy(QUEUE_AT + 7.8 * i),

@@ -4,7 +4,15 @@ import re
 from collections.abc import Sequence
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.learned.account import absent, numbers_of, said_words, same, values_of
+from c2s_engine.interpret.learned.account import (
+    absent,
+    is_said,
+    numbers_of,
+    said_words,
+    same,
+    values_of,
+    words_of_fields,
+)
 from c2s_engine.interpret.learned.relative import relative_amounts
 from c2s_engine.interpret.learned.units import ONES, quantities
 from c2s_engine.interpret.mentions import mentions
@@ -45,10 +53,12 @@ async def without_effect(
     nobody = SMALL | stems(" ".join((*language.table("trade")["again"], *ONES, *_nouns(text, structure))))
     nobody |= frozenset() if own else stems(" ".join(language.table("trade")["asks"]))
     found: list[Span] = []
+    numbers, fields = numbers_of(structure), words_of_fields(structure)
     for start, end in await phrases(text, tools):
         begin = start + JOINED.match(text[start:end]).end()  # type: ignore[union-attr]
         words = {word for word in stems(text[begin:end]) - nobody if len(word) > 1}  # no units
-        if words and not words & said and not meets((begin, end), *rests, *known, *found):
+        if words and not words & said and not meets((begin, end), *rests, *known, *found) \
+                and not is_said(text[begin:end], numbers, fields):
             found.append((begin, end))
     if before is not None:
         there, new = types(structure) | types(before), types(structure) - types(before)

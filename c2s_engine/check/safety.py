@@ -39,7 +39,7 @@ def examine(tree: Any) -> list[Diagnostic]:
     for node in ast.walk(tree):
         if id(node) in plain and getattr(node, "id", "") == "object":
             continue  # `class Name(object)`: a class of Python's, where Scenic would make one of objects
-        rule = next((rule for kinds, rule in _rules() if isinstance(node, kinds)), None)
+        rule = _rule_of(node.__class__.__mro__)
         found += [_refused(node, what, code) for what, code in rule(node) if what] if rule else []
     return found
 
@@ -54,6 +54,11 @@ def _refused(node: ast.AST, what: str, code: str) -> Diagnostic:
 
 Refusals = Iterator[tuple[str, str]]
 """What is not allowed (empty: nothing), and its code."""
+
+
+@functools.cache
+def _rule_of(bases: tuple[type, ...]) -> Callable[[Any], Refusals] | None:
+    return next((rule for kinds, rule in _rules() if set(kinds) & set(bases)), None)
 
 
 @functools.cache

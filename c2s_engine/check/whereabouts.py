@@ -143,10 +143,6 @@ class Whereabouts:
         self.stop = ""
         return (here, Spot(other)) if here.root == other else (self.made(node, name), self.of(other))
 
-    def apart(self, distance: float, name: str) -> float:
-        """What lies between ego and an object whose middles are that far apart, m."""
-        return max(0.0, distance - self._half(name)[0] - self._half("ego")[0])
-
     def _base(self, node: Any) -> str:
         """What an object is placed by, where that is a name."""
         from scenic.syntax import ast as s

@@ -267,9 +267,10 @@ async def _work(
             if to is not None:
                 done = await _take(session.back_to(to - 1), quiet)
             if program:
-                file, text = program
-                read = [] if taken(file, text) else [await engine.import_program(text, folder=file.parent)]
-                given = [Replace(structure=read[0])] if read else taken(file, text)
+                given = taken(*program)
+                if not given:
+                    found = await engine.import_program(program[1], folder=program[0].parent)
+                    given = [Replace(structure=found)]
                 done = await _take(session.apply(given, **options), quiet)
             if say:
                 upon = session.structure

@@ -21,6 +21,7 @@ from c2s_engine.interpret.parser import parser
 from c2s_engine.interpret.text import normalised, sentences
 from c2s_engine.structure.components import Component, Structure
 from c2s_engine.structure.edits import Edit, RemoveObject
+from c2s_engine.structure.objects import object_types
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.structure.stems import stems
 
@@ -83,7 +84,7 @@ def route(text: str, structure: Structure | None, last: PreviousTurn | None = No
             return Turn("question")
         if _introduces(plain, structure) or _stands_alone(plain):
             return Turn("scenario")
-        return Turn("edit", reply=_nobody(text, plain, structure) or _not_understood(text))
+        return Turn("edit", reply=_nobody(text, structure) or _not_understood(text))
 
 
 def _change(text: str, structure: Structure) -> Turn | None:
@@ -93,9 +94,6 @@ def _change(text: str, structure: Structure) -> Turn | None:
         return None
     gone = [e.component for e in found.edits if isinstance(e, RemoveObject)]
     sure = found.likely >= SURE or all(_names(text, cid, structure) for cid in gone)
-    plain = normalised(text)
-    if re.match(_table()["corrects"], plain):  # with nothing to correct: "no, the other one"
-        sure = bool(set(re.findall(r"[a-z]+", plain)) & set(language.table("trade")["removes"]))
     if gone and not (sure and all(_speaks_of(text, structure[cid], structure) for cid in gone)):
         return Turn("edit", reply=_which(text, structure, gone))
     return Turn("edit", list(found.edits), found.words, guessed=found.likely < SURE)
@@ -218,8 +216,8 @@ def _names(text: str, cid: str, structure: Structure) -> bool:
 
 
 def _speaks_of(text: str, component: Component, structure: Structure) -> bool:
-    """Whether a text may speak of an object: by its id, by a noun for it or another of its words, or, where that is the
-    only one or it counts them ("the second one"), by no noun at all ("delete it")."""
+    """Whether a text may speak of an object: by its id, by a noun for it or another of its words, or by no noun at all,
+    where that is the only one ("delete it") or is told from the others ("remove the second one")."""
     spec = component.spec
     assert isinstance(spec, ObjectSpec)
     if re.search(rf"\b{component.id}\b", text, re.IGNORECASE):
@@ -229,8 +227,13 @@ def _speaks_of(text: str, component: Component, structure: Structure) -> bool:
     called = any(m.fits(spec.type) or m.type == "vehicle" for m in mentions(text))
     words = parser()(text)
     noun = any(t.pos_ in ("NOUN", "PROPN") and t.lower_ not in ("one", "ones") for t in words)
-    counts = len(structure.objects) == 1 or not any(t.tag_ == "PRP" for t in words)
-    return called or bool(own & stems(text)) or not noun and counts
+    told = _removes(text) and not any(t.tag_ == "PRP" for t in words)
+    return called or bool(own & stems(text)) or not noun and (len(structure.objects) == 1 or told)
+
+
+def _removes(text: str) -> bool:
+    """Whether a text has a word by which something is to be gone."""
+    return bool(set(re.findall(r"[a-z]+", normalised(text))) & set(language.table("trade")["removes"]))
 
 
 def _which(text: str, structure: Structure, meant: list[str]) -> str:
@@ -241,12 +244,11 @@ def _which(text: str, structure: Structure, meant: list[str]) -> str:
             f"of weather, lights and roads say what is to be there instead. There are: {there}.")
 
 
-def _nobody(text: str, plain: str, structure: Structure) -> str:
+def _nobody(text: str, structure: Structure) -> str:
     """The answer to a removal of somebody who is not there; "" where it is none."""
-    removes = set(re.findall(r"[a-z]+", plain)) & set(language.table("trade")["removes"])
-    types = {c.spec.type for c in structure.objects if isinstance(c.spec, ObjectSpec)}
-    missing = [text[m.start : m.end] for m in mentions(text) if not any(map(m.fits, types))]
-    return f"There is no {missing[0]} in the scene: nothing was removed." if removes and missing else ""
+    there = object_types(structure)
+    missing = [text[m.start : m.end] for m in mentions(text) if not any(map(m.fits, there))]
+    return f"There is no {missing[0]} in the scene: nothing was removed." if missing and _removes(text) else ""
 
 
 def _not_understood(text: str) -> str:

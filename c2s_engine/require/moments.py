@@ -11,7 +11,7 @@ from c2s_engine.require.results import between, scored, span, unknown, words
 from c2s_engine.require.scene import TURNS, Scene, bounds
 from c2s_engine.structure.facts import EGO, component_of
 from c2s_engine.structure.objects import SLOWS
-from c2s_engine.structure.quantity import Quantity, ends, high, low
+from c2s_engine.structure.quantity import Quantity, high, low
 from c2s_engine.structure.requirements import Requirement, Result
 from c2s_engine.structure.specs import Phase
 from c2s_engine.structure.vocabulary import VEHICLES
@@ -74,12 +74,12 @@ def delays(scene: Scene) -> Iterator[Requirement]:
         since = due(phase)
         if trigger.delay is None and since is None or not says_when(scene, cid, path, phase):
             continue
-        least, most = ends(trigger.delay if since is None else since) or (0.0, 0.0)
-        when = f"{least:g} s " + ("later" if since is None else "after the start")
+        after: Quantity = since if since is not None else trigger.delay or 0.0
+        when = f"{low(after):g} s " + ("later" if since is None else "after the start")
         yield scene.make("order", "delayed", actor, f"{path}.delay", f"{scene.named(actor)}: "
                          f"{phase.action.replace('_', ' ')} {when}.", of=f"{cid}.{path}.{phase.action}",
                          action=phase.action, after=_awaited(scene, trigger.of, trigger.action), other=trigger.of,
-                         its=trigger.action or "", least=least, most=most)  # fmt: skip
+                         its=trigger.action or "", least=low(after), most=high(after))  # fmt: skip
 
 
 def says_when(scene: Scene, cid: str, path: str, phase: Phase) -> bool:

@@ -97,8 +97,8 @@ def _is_less(before: Structure, structure: Structure) -> bool:
 def _nobody(text: str, there: frozenset[str]) -> list[Span]:
     """Where a change names somebody on foot or riding whom nobody of S can be, but for those spoken of again."""
     again = stems(" ".join(language.table("trade")["again"]))
-    named = [n for n in mentions(text) if n.type in (*ON_FOOT, "bicycle") and not any(map(n.fits, there))]
-    return [(n.start, n.end) for n in named if not stems(text[n.start : n.end]) & again]
+    named = (n for n in mentions(text) if not stems(text[n.start : n.end]) & again)
+    return list(absent(named, there, (*ON_FOOT, "bicycle")))
 
 
 def _negated(text: str, structure: Structure, before: Structure) -> list[Span]:

@@ -17,8 +17,13 @@ def object_spec(component: Component) -> ObjectSpec:
 
 def types(structure: Structure) -> frozenset[str]:
     """What ego and the objects are."""
-    specs = (c.spec for c in (structure.ego, *structure.objects))
-    return frozenset(spec.type for spec in specs if isinstance(spec, EgoSpec | ObjectSpec))
+    ego = structure.ego.spec
+    return object_types(structure) | ({ego.type} if isinstance(ego, EgoSpec) else set())
+
+
+def object_types(structure: Structure) -> frozenset[str]:
+    """What the objects are."""
+    return frozenset(c.spec.type for c in structure.objects if isinstance(c.spec, ObjectSpec))
 
 
 def is_ahead(spec: EgoSpec | ObjectSpec, other: str | None) -> bool:

@@ -298,6 +298,7 @@ def test_without_its_packages_it_says_what_to_do(monkeypatch):
     ("Ego brakes with at least 6 m/s2.", "E: car ; brake\nT: limit deceleration maximum=6m/s2", 6.0, 0),
     ("Ego brakes with no less than 6 m/s2.", "E: car reaction=brake\nT: limit deceleration maximum=6m/s2", 6.0, 0),
     ("Ego brakes with at most 4 m/s2.", "E: car ; brake\nT: limit deceleration maximum=4m/s2", None, 1),
+    ("It keeps at least 4 m, brakes at most 4 m/s2.", "E: car ; brake\nT: limit deceleration maximum=4m/s2", None, 1),
     ("Ego brakes with no more than 4 m/s2.", "E: car ; brake\nT: limit deceleration minimum=4m/s2", None, 1),
 ])  # fmt: skip
 def test_at_least_is_no_maximum(text, answer, rate, limits):

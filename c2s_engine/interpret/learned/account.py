@@ -9,7 +9,7 @@ component has a word, are not understood.
 import math
 import re
 from collections import defaultdict
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from typing import Any
 
@@ -24,7 +24,7 @@ from c2s_engine.interpret.settings import Settings
 from c2s_engine.interpret.text import normalised
 from c2s_engine.structure.account import UNSAID, covering, meets
 from c2s_engine.structure.components import Component, Link, Structure, Unmet
-from c2s_engine.structure.objects import types
+from c2s_engine.structure.objects import object_types, types
 from c2s_engine.structure.sentences import sentence
 from c2s_engine.structure.specs import ObjectSpec
 from c2s_engine.structure.stems import stem, stems
@@ -198,9 +198,8 @@ def _values(structure: Structure, numbers: Sequence[Number]) -> Iterator[Unmet]:
 def _absent(structure: Structure, nouns: Sequence[Mention]) -> Iterator[Unmet]:
     """The vehicles and animals that the text names and that nobody of S can be; ego is never several."""
     several = [n for n in nouns if _plural(structure.text[n.start : n.end].lower())]
-    others = {c.spec.type for c in structure.objects if isinstance(c.spec, ObjectSpec)}
     one = absent([n for n in nouns if n not in several], types(structure))
-    for span in sorted((*one, *absent(several, others))):
+    for span in sorted((*one, *absent(several, object_types(structure)))):
         yield Unmet(text=structure.text[slice(*span)], reason=NO_OBJECT, span=span)
 
 
@@ -208,11 +207,14 @@ def _plural(noun: str) -> bool:
     return noun.endswith("s") and noun[:-1] in language.actor_nouns()
 
 
-def absent(nouns: Sequence[Mention], there: Collection[str]) -> Iterator[Span]:
-    """Where vehicles and animals are named that nobody of such types can be."""
+def absent(
+    nouns: Iterable[Mention], there: Collection[str], kinds: Collection[str] = WHEELED
+) -> Iterator[Span]:
+    """Where vehicles and animals, or others of such `kinds`, are named that nobody of the types that are there can
+    be."""
     for noun in nouns:
         known = any(noun.fits(kind) for kind in there) or set(there) & set(KIN.get(noun.type, "").split())
-        if noun.type in WHEELED and not known:
+        if noun.type in kinds and not known:
             yield noun.start, noun.end
 
 

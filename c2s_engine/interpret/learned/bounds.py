@@ -3,12 +3,12 @@
 import re
 
 from c2s_engine.interpret import language
-from c2s_engine.interpret.learned.account import same
-from c2s_engine.interpret.learned.units import quantities
+from c2s_engine.interpret.learned.account import Span, same
+from c2s_engine.interpret.learned.units import OF_LIMIT, quantities
 from c2s_engine.structure.components import Structure, Unmet
 from c2s_engine.structure.objects import SLOWS
 from c2s_engine.structure.quantity import middle
-from c2s_engine.structure.specs import Limit, Phase, RestrictionsSpec
+from c2s_engine.structure.specs import EgoSpec, Limit, Phase, RestrictionsSpec
 
 RATES = {"deceleration": SLOWS, "acceleration": ("accelerate", "start")}
 """Limits that say, with a minimum, how an action is done, by these actions."""
@@ -22,20 +22,23 @@ def with_bounds(structure: Structure) -> Structure:
     sides, limits = _sides(structure.text), []
     for limit in spec.limits:
         amount = limit.maximum if limit.maximum is not None else limit.minimum
-        side = next((s for value, s, _ in sides if amount is not None and same(amount, value)), "")
+        near = [(s, at) for value, unit, s, at in sides
+                if amount is not None and unit == OF_LIMIT.get(limit.kind, "m") and same(amount, value)]  # fmt: skip
+        side = near[0][0] if near else ""
         both = limit.minimum is not None and limit.maximum is not None
         if both or not side or side == ("most" if limit.minimum is None else "least") and limit.kind not in RATES:
             limits.append(limit)
         elif side == "least" and limit.kind in RATES:
-            structure = _with_rate(structure, limit, float(amount or 0.0), [w for v, _, w in sides if v == amount])
+            structure = _with_rate(structure, limit, float(amount or 0.0), near[0][1])
         else:
             bound = {"minimum": None, "maximum": amount} if side == "most" else {"minimum": amount, "maximum": None}
             limits.append(limit.model_copy(update=bound))
     return structure if tuple(limits) == spec.limits else structure.with_spec("T", limits=tuple(limits))
 
 
-def _with_rate(structure: Structure, limit: Limit, rate: float, words: list[tuple[int, int]]) -> Structure:
-    """S with a rate of the first such action of somebody that has none; or with what is not understood."""
+def _with_rate(structure: Structure, limit: Limit, rate: float, at: Span) -> Structure:
+    """S with a rate of the first such action of somebody that has none; or with what is not understood, `at` its
+    place."""
     cid = "E" if limit.subject == "ego" else limit.subject
     phases: list[Phase] = list(getattr(structure[cid].spec, "phases", ())) if cid in structure else []
     actions = RATES[limit.kind]
@@ -45,17 +48,16 @@ def _with_rate(structure: Structure, limit: Limit, rate: float, words: list[tupl
         if phase.action in actions and phase.rate is None:
             phases[number] = phase.model_copy(update={"rate": rate})
             return structure.with_spec(cid, phases=tuple(phases))
-    if limit.kind == "deceleration" and getattr(structure[cid].spec, "reaction", "") == "brake" and cid == "E":
-        braking = Phase(action="brake", target=structure.ego.spec.react_to, rate=rate)  # type: ignore[union-attr]
-        return structure.with_spec(cid, phases=(*phases, braking))
-    start, end = words[0] if words else (0, 0)
-    missed = Unmet(text=structure.text[start:end], reason=NOT_BRAKING, span=(start, end))
+    ego = structure.ego.spec
+    if cid == "E" and limit.kind == "deceleration" and isinstance(ego, EgoSpec) and ego.reaction == "brake":
+        return structure.with_spec("E", phases=(*phases, Phase(action="brake", target=ego.react_to, rate=rate)))
+    missed = Unmet(text=structure.text[slice(*at)], reason=NOT_BRAKING, span=at)
     return structure.model_copy(update={"not_understood": (*structure.not_understood, missed)})
 
 
-def _sides(text: str) -> list[tuple[float, str, tuple[int, int]]]:
-    """The amounts of a text with a bound before them: SI value, side, where the amount stands."""
+def _sides(text: str) -> list[tuple[float, str, str, Span]]:
+    """The amounts of a text with a bound before them: SI value and unit, side, where the amount stands."""
     words = {side: language.alternatives(found) for side, found in language.table("trade")["bounds"].items()}
     ends = {side: re.compile(rf"(?:{found})\s*$", re.IGNORECASE) for side, found in words.items()}
-    return [(value, side, span) for span, value, _ in quantities(text)
+    return [(value, unit, side, span) for span, value, unit in quantities(text)
             for side, before in ends.items() if before.search(text[: span[0]])]  # fmt: skip
